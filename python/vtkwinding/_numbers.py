@@ -27,13 +27,17 @@ def _shaped(name, array, width):
     return array
 
 
-def _finite(name, array):
-    # A sum is finite if all numbers are, unless they are huge, and takes less than looking at each.
+def _is_finite(array):
+    """Whether all numbers are finite and not huge; their sum takes less than looking at each."""
     with np.errstate(all="ignore"):
-        if not np.isfinite(np.sum(array, dtype=float)):
-            bad = np.flatnonzero(~np.isfinite(array).reshape(len(array), -1).all(axis=1))
-            if bad.size:
-                raise ValueError(f"{name} must be finite: row {bad[0]} is {array[bad[0]]}")
+        return np.isfinite(np.sum(array, dtype=float))
+
+
+def _finite(name, array):
+    if not _is_finite(array):
+        bad = np.flatnonzero(~np.isfinite(array).reshape(len(array), -1).all(axis=1))
+        if bad.size:
+            raise ValueError(f"{name} must be finite: row {bad[0]} is {array[bad[0]]}")
     return array
 
 
@@ -43,9 +47,22 @@ def _floats(array):
     return np.require(array, None if is_kept else np.float64, ["C", "A"])
 
 
-def vectors(name, array):
-    """Finite (N, 3) floats."""
-    return _finite(name, _floats(_shaped(name, _numbers(name, array, "fiu", "numbers"), 3)))
+def vectors(name, array, *, finite=True):
+    """(N, 3) floats, which must be finite if `finite`."""
+    found = _floats(_shaped(name, _numbers(name, array, "fiu", "numbers"), 3))
+    return _finite(name, found) if finite else found
+
+
+def surface(vertices, faces, *, finite=True):
+    """(V, 3) floats and (F, 3) ids of them. If `finite`, what faces use must be."""
+    points = vectors("vertices", vertices, finite=False)
+    corners = triangles("faces", faces, len(points))
+    if finite and not _is_finite(points):
+        used = np.unique(corners)
+        bad = used[~np.isfinite(points[used]).all(axis=1)]
+        if bad.size:
+            raise ValueError(f"vertices of faces must be finite: row {bad[0]} is {points[bad[0]]}")
+    return points, corners
 
 
 def scalars(name, array, count):

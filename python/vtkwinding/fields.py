@@ -45,11 +45,14 @@ def float_type(dtype: Any) -> np.dtype:
     return found.newbyteorder("=")
 
 
-def _parts(vertices, faces):
-    """Vertices and faces, which may be attributes of a mesh."""
-    if faces is None and hasattr(vertices, "vertices") and hasattr(vertices, "faces"):
-        return vertices.vertices, vertices.faces
-    return vertices, faces
+def _parts(vertices, faces, normals=None, areas=None):
+    """Vertices, faces, normals and areas, which may be attributes of a mesh."""
+    if faces is not None or not hasattr(vertices, "vertices") or not hasattr(vertices, "faces"):
+        return vertices, faces, normals, areas
+    if isinstance(vertices, Mesh) and vertices.faces is None:
+        normals = vertices.normals if normals is None else normals
+        areas = vertices.areas if areas is None else areas
+    return vertices.vertices, vertices.faces, normals, areas
 
 
 class Sides:
@@ -122,17 +125,16 @@ class Field:
                  estimate_normals: bool = False, normal_estimation: str = "auto",
                  n_neighbors: int = 20, point_area: float = 0,
                  regularization: float = 0) -> None:
-        if isinstance(vertices, Mesh) and faces is None:
-            is_cloud = vertices.faces is None
-            normals = vertices.normals if is_cloud and normals is None else normals
-            areas = vertices.areas if is_cloud and areas is None else areas
-        vertices, faces = _parts(vertices, faces)
-        self._vertices = self._kept(_numbers.vectors("vertices", vertices))
-        count = len(self._vertices)
+        vertices, faces, normals, areas = _parts(vertices, faces, normals, areas)
         as_points = _options.flag("as_points", as_points)
-        self._offsets = None
-        self._corners = None if faces is None else self._kept(
-            _numbers.triangles("faces", faces, count))
+        self._offsets = self._corners = None
+        if faces is None:
+            points = _numbers.vectors("vertices", vertices)
+        else:
+            points, corners = _numbers.surface(vertices, faces)
+            self._corners = self._kept(corners)
+        self._vertices = self._kept(points)
+        count = len(points)
         if faces is None and normals is None and not estimate_normals and count:
             raise ValueError(
                 "give faces of a surface, or normals of a cloud, or estimate_normals=True")
@@ -472,11 +474,13 @@ def report(vertices: Any, faces: ArrayLike | None = None, *,
     """The health of a surface, or of a cloud where there are no faces: counts and measures, and
     'advice' in words, the most important first. winding_report and winding_cloud_report of the
     library say what the entries mean."""
-    vertices, faces = _parts(vertices, faces)
-    points = _numbers.vectors("vertices", vertices)
-    directions = None if normals is None else _numbers.vectors("normals", normals)
-    ids = None if faces is None else _numbers.triangles("faces", faces, len(points))
-    return report_of(points, None if ids is None else _library.polygons_of(ids), directions)
+    vertices, faces, normals, _ = _parts(vertices, faces, normals)
+    if faces is not None:
+        points, ids = _numbers.surface(vertices, faces, finite=False)
+        return report_of(points, _library.polygons_of(ids), None)
+    points = _numbers.vectors("vertices", vertices, finite=False)
+    directions = None if normals is None else _numbers.vectors("normals", normals, finite=False)
+    return report_of(points, None, directions)
 
 
 def report_of(points, polygons, normals, *, show=None, notes=(), counts=()):
@@ -507,9 +511,8 @@ def _plain(value):
 def fix_orientation(vertices: Any, faces: ArrayLike | None = None) -> IdArray:
     """The faces (F, 3) of a surface, turned so that they look outward; faces that are there twice
     are taken once."""
-    vertices, faces = _parts(vertices, faces)
-    points = _numbers.vectors("vertices", vertices)
-    ids = _numbers.triangles("faces", faces, len(points)).astype(np.int64, copy=False)
+    points, ids = _numbers.surface(*_parts(vertices, faces)[:2])
+    ids = ids.astype(np.int64, copy=False)
     turned, left_out = orientation_of(points, _library.polygons_of(ids), len(ids))
     fixed = np.where(turned[:, None] == 1, ids[:, [0, 2, 1]], ids)
     return fixed[left_out == 0]

@@ -222,6 +222,10 @@ class FunctionsTest(unittest.TestCase):
             cloud = vtkwinding.read(path)
             self.assertIsNone(cloud.faces)
             self.assertGreater(Field(cloud).area, 0)
+            self.assertEqual(vtkwinding.report(cloud)["normals"], 1)
+            path = pathlib.Path(folder, "nan.obj")
+            path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\nf 1 2 4\n")
+            self.assertEqual(vtkwinding.report(vtkwinding.read(path))["non_finite"], 1)
             with self.assertRaisesRegex(ValueError, "null character"):
                 vtkwinding.read("points.xyz\0.ply")
             path = pathlib.Path(folder, "empty.ply")
