@@ -2,8 +2,10 @@
 
 #include "base/DisjointSets.h"
 #include "source/UnitScale.h"
+#include "surface/UsesByAngle.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace winding
 {
@@ -11,99 +13,144 @@ namespace winding
 namespace
 {
 
-/// Finds which triangles are of one set, and which sets have an edge that does not cancel within
-/// them.
-class OpenSets
+/// Returns, by the representative of each set of triangles, whether an edge of it does not cancel
+/// within the set.
+std::vector<char> openSets(const SurfaceEdges& edges, DisjointSets& sets, std::size_t triangles)
 {
-public:
-  OpenSets(const Surface& surface, const SurfaceEdges& edges)
-    : edges_(edges)
-    , sets_(surface.triangles.size())
-    , isOpen_(surface.triangles.size(), 0)
+  std::vector<char> isOpen(triangles, 0);
+  for (const SurfaceEdges::Rim& rim : edges.rims)
   {
+    isOpen[sets.find(rim.triangle)] = 1;
   }
-
-  DisjointSets& sets() { return sets_; }
-
-  bool isOpen(std::int32_t triangle) { return isOpen_[sets_.find(triangle)] != 0; }
-
-  /// Finds which of the sets, as they are now, are open.
-  void findOpenOnes()
+  for (const SurfaceEdges::Pair& pair : edges.pairs)
   {
-    std::fill(isOpen_.begin(), isOpen_.end(), 0);
-    for (const SurfaceEdges::Rim& rim : edges_.rims)
+    if (!pair.agrees)
     {
-      isOpen_[sets_.find(rim.triangle)] = 1;
-    }
-    for (const SurfaceEdges::Pair& pair : edges_.pairs)
-    {
-      if (!pair.agrees)
-      {
-        isOpen_[sets_.find(pair.triangles[0])] = 1;
-      }
-    }
-    for (const SurfaceEdges::Crowd& crowd : edges_.crowds)
-    {
-      edges_.forEachSet(crowd, sets_,
-        [this](std::int32_t set, std::int32_t net)
-        { isOpen_[set] |= static_cast<char>(net != 0); });
+      isOpen[sets.find(pair.triangles[0])] = 1;
     }
   }
+  for (const SurfaceEdges::Crowd& crowd : edges.crowds)
+  {
+    edges.forEachSet(crowd, sets,
+      [&](std::int32_t set, std::int32_t net) { isOpen[set] |= static_cast<char>(net != 0); });
+  }
+  return isOpen;
+}
 
-private:
-  const SurfaceEdges& edges_;
-  DisjointSets sets_;
-  std::vector<char> isOpen_; ///< by representative
-};
+/// Joins the two triangles of each solid around an edge, whose backs face each other. Of equal
+/// angles the triangle comes first whose solid lies before it. Returns whether that works, as it
+/// does where no solids overlap.
+bool joinSolidsAround(std::vector<AngledUse>& uses, DisjointSets& sets)
+{
+  for (auto first = uses.begin(), last = first; first != uses.end(); first = last)
+  {
+    for (++last; last != uses.end() && last->angle - (last - 1)->angle < leastAngle; ++last)
+    {
+    }
+    std::stable_partition(first, last, [](const AngledUse& use) { return use.facesNext(); });
+  }
+  for (std::size_t i = 0; i < uses.size(); ++i)
+  {
+    const AngledUse &use = uses[i], &next = uses[(i + 1) % uses.size()];
+    if (!use.hasDirection || use.facesNext() == next.facesNext())
+    {
+      return false;
+    }
+    if (!use.facesNext())
+    {
+      sets.unite(use.use.triangle, next.use.triangle);
+    }
+  }
+  return true;
+}
+
+/// Divides what was joined at edges of more than two triangles into solids that touch there, where
+/// that gives closed ones only. `pieces` are the sets before, `isOpen` says which of them are open,
+/// and `joined` are the sets after.
+void partTouchingSolids(const Surface& surface, const SurfaceEdges& edges, DisjointSets& pieces,
+  const std::vector<char>& isOpen, DisjointSets& joined)
+{
+  const std::size_t triangles = surface.triangles.size();
+  std::vector<char> isKept = openSets(edges, joined, triangles); // by set of `joined`
+  DisjointSets solids = pieces;
+  for (const SurfaceEdges::Crowd& crowd : edges.crowds)
+  {
+    std::vector<AngledUse> uses = usesByAngle(surface, edges, crowd);
+    const auto isClosed = [&](const AngledUse& use)
+    {
+      return !isOpen[pieces.find(use.use.triangle)];
+    };
+    uses.erase(std::remove_if(uses.begin(), uses.end(), isClosed), uses.end());
+    if (!uses.empty() && !joinSolidsAround(uses, solids))
+    {
+      isKept[joined.find(uses[0].use.triangle)] = 1;
+    }
+  }
+  const std::vector<char> isSolidOpen = openSets(edges, solids, triangles);
+  for (std::size_t i = 0; i < triangles; ++i)
+  {
+    const auto triangle = static_cast<std::int32_t>(i);
+    isKept[joined.find(triangle)] |= isSolidOpen[solids.find(triangle)];
+  }
+  DisjointSets parted(triangles);
+  for (std::size_t i = 0; i < triangles; ++i)
+  {
+    const auto triangle = static_cast<std::int32_t>(i);
+    const std::int32_t whole = joined.find(triangle);
+    parted.unite(triangle, isKept[whole] ? whole : solids.find(triangle));
+  }
+  joined = std::move(parted);
+}
 
 } // namespace
 
 Components componentsOf(
   const Surface& surface, const SurfaceEdges& edges, const PolygonParts& parts)
 {
-  OpenSets pieces(surface, edges);
+  const std::size_t triangles = surface.triangles.size();
+  DisjointSets pieces(triangles);
   for (const SurfaceEdges::Pair& pair : edges.pairs)
   {
-    pieces.sets().unite(pair.triangles[0], pair.triangles[1]);
+    pieces.unite(pair.triangles[0], pair.triangles[1]);
   }
   for (std::size_t i = 1; i < parts.size(); ++i)
   {
     if (parts[i])
     {
-      pieces.sets().unite(static_cast<std::int32_t>(i - 1), static_cast<std::int32_t>(i));
+      pieces.unite(static_cast<std::int32_t>(i - 1), static_cast<std::int32_t>(i));
     }
   }
-  pieces.findOpenOnes();
-  // Only open sets are joined here, and a set that is open now counts as open until all are joined.
-  std::vector<std::pair<std::int32_t, std::int32_t>> joints;
+  const std::vector<char> isOpen = openSets(edges, pieces, triangles);
+  DisjointSets sets = pieces;
+  bool isAnyJoined = false;
   for (const SurfaceEdges::Crowd& crowd : edges.crowds)
   {
     std::int32_t first = -1;
     for (const SurfaceEdges::Use* use = edges.begin(crowd); use != edges.end(crowd); ++use)
     {
-      if (pieces.isOpen(use->triangle))
+      if (isOpen[pieces.find(use->triangle)])
       {
         first = first < 0 ? use->triangle : first;
-        joints.emplace_back(first, use->triangle);
+        isAnyJoined |= sets.unite(first, use->triangle);
       }
     }
   }
-  for (const auto& [a, b] : joints)
+  if (isAnyJoined)
   {
-    pieces.sets().unite(a, b);
+    partTouchingSolids(surface, edges, pieces, isOpen, sets);
   }
-  pieces.findOpenOnes();
 
+  const std::vector<char> isOpenInTheEnd = openSets(edges, sets, triangles);
   Components components;
-  components.ofTriangle.resize(surface.triangles.size());
-  for (std::size_t i = 0; i < components.ofTriangle.size(); ++i)
+  components.ofTriangle.resize(triangles);
+  for (std::size_t i = 0; i < triangles; ++i)
   {
     const auto triangle = static_cast<std::int32_t>(i);
-    const std::int32_t first = pieces.sets().find(triangle);
+    const std::int32_t first = sets.find(triangle);
     if (first == triangle)
     {
       components.ofTriangle[i] = static_cast<std::int32_t>(components.size());
-      components.isClosed.push_back(!pieces.isOpen(triangle));
+      components.isClosed.push_back(!isOpenInTheEnd[triangle]);
     }
     else
     {

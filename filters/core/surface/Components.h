@@ -14,8 +14,13 @@ namespace winding
  * Triangles that share an edge with no third one belong together. A set that is closed by this rule
  * alone, every edge of it cancelling, is a component: so two cubes that share an edge are two
  * components, each of which may be inside out. Sets that are left open are joined where more than
- * two triangles meet: so rooms with a common wall are one component. Components are numbered in the
- * order of their first triangles.
+ * two triangles meet: so rooms with a common wall are one component.
+ *
+ * What is closed then may be solids that touch, such as boxes on one another, with walls of their
+ * own. Around an edge each solid lies between two triangles, by their angles (usesByAngle()). It is
+ * divided into them where all are closed, which takes faces that look outward.
+ *
+ * Components are numbered in the order of their first triangles.
  */
 struct Components
 {

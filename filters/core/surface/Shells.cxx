@@ -1,8 +1,7 @@
 #include "surface/Shells.h"
 
 #include "base/Pi.h"
-
-#include <Eigen/Geometry>
+#include "surface/UsesByAngle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,43 +19,6 @@ std::int32_t sideOf(std::int32_t triangle, std::int32_t sense, bool facesNext)
 {
   const bool isFront = (sense > 0) == facesNext;
   return 2 * triangle + (isFront ? 0 : 1);
-}
-
-constexpr double leastAngle = 1e-6;
-
-/// The use of an edge, and the angle of its triangle around it.
-struct AngledUse
-{
-  double angle;      ///< −π to π
-  bool hasDirection; ///< whether the triangle is wide enough for an angle
-  SurfaceEdges::Use use;
-};
-
-/// Returns the uses of an edge in the order of their angles.
-std::vector<AngledUse> usesByAngle(
-  const Surface& surface, const SurfaceEdges& edges, const SurfaceEdges::Crowd& crowd)
-{
-  const Eigen::Vector3d& low = surface.vertices[crowd.low];
-  const Eigen::Vector3d along = (surface.vertices[crowd.high] - low).stableNormalized();
-  const Eigen::Vector3d across = along.unitOrthogonal(), up = along.cross(across);
-  std::vector<AngledUse> uses;
-  for (const SurfaceEdges::Use* use = edges.begin(crowd); use != edges.end(crowd); ++use)
-  {
-    Eigen::Vector3d to = Eigen::Vector3d::Zero();
-    for (const std::int32_t vertex : surface.triangles[use->triangle])
-    {
-      if (vertex != crowd.low && vertex != crowd.high)
-      {
-        to = (surface.vertices[vertex] - low).stableNormalized();
-      }
-    }
-    const double x = to.dot(across), y = to.dot(up);
-    uses.push_back({std::atan2(y, x), std::hypot(x, y) > leastAngle, *use});
-  }
-  std::sort(uses.begin(), uses.end(),
-    [](const AngledUse& a, const AngledUse& b)
-    { return a.angle < b.angle || (a.angle == b.angle && a.use.triangle < b.use.triangle); });
-  return uses;
 }
 
 } // namespace

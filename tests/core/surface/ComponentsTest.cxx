@@ -7,8 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <map>
+#include <random>
+#include <set>
 #include <tuple>
 
 namespace
@@ -142,6 +146,67 @@ std::vector<std::int32_t> naiveComponents(const Surface& surface)
   return labels;
 }
 
+/// Expects each of some closed solids to be a component when all are in one mesh, in any order of
+/// the triangles.
+void expectOneComponentEach(const std::vector<Mesh>& solids, unsigned seed)
+{
+  Mesh all;
+  std::vector<std::pair<std::array<std::int32_t, 3>, std::size_t>> triangles;
+  for (std::size_t i = 0; i < solids.size(); ++i)
+  {
+    const std::size_t first = all.triangles.size();
+    all = all.with(solids[i]);
+    for (std::size_t t = first; t < all.triangles.size(); ++t)
+    {
+      triangles.emplace_back(all.triangles[t], i);
+    }
+  }
+  std::shuffle(triangles.begin(), triangles.end(), std::mt19937(seed));
+  all.triangles.clear();
+  for (const auto& [triangle, solid] : triangles)
+  {
+    all.triangles.push_back(triangle);
+  }
+  const Components components = componentsOf(all);
+  EXPECT_EQ(components.size(), solids.size());
+  std::set<std::pair<std::size_t, std::int32_t>> pairs;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    pairs.emplace(triangles[t].second, components.ofTriangle[t]);
+  }
+  EXPECT_EQ(pairs.size(), solids.size());
+  EXPECT_EQ(std::count(components.isClosed.begin(), components.isClosed.end(), char(1)),
+    static_cast<std::ptrdiff_t>(solids.size()));
+}
+
+/// Adds triangles from the rim of a part of a ball to its centre.
+Mesh closedByACone(Mesh part)
+{
+  const auto centre = static_cast<std::int32_t>(part.points.size());
+  part.points.emplace_back(0, 0, 0);
+  std::map<std::pair<std::int32_t, std::int32_t>, int> uses;
+  for (const auto& triangle : part.triangles)
+  {
+    for (std::size_t side = 0; side < 3; ++side)
+    {
+      ++uses[std::minmax(triangle[side], triangle[(side + 1) % 3])];
+    }
+  }
+  const std::vector<std::array<std::int32_t, 3>> triangles = part.triangles;
+  for (const auto& triangle : triangles)
+  {
+    for (std::size_t side = 0; side < 3; ++side)
+    {
+      const std::int32_t from = triangle[side], to = triangle[(side + 1) % 3];
+      if (uses[std::minmax(from, to)] == 1)
+      {
+        part.triangles.push_back({to, from, centre});
+      }
+    }
+  }
+  return part;
+}
+
 } // namespace
 
 TEST(SurfaceEdges, AreThoseOfAMap)
@@ -232,12 +297,49 @@ TEST(Components, TellSolidsApartThatShareAnEdge)
 
 TEST(Components, JoinRoomsThatShareAWall)
 {
-  // The wall is there once in `rooms`, and twice in `doubled`.
   const Mesh rooms = cube().with(
     openCube().mapped([](const Point& p) { return Point(p[0], p[1], -p[2]); }).reversed());
   EXPECT_EQ(closedness(rooms), std::vector<bool>{false});
-  const Mesh doubled = cube().with(cube({0, 0, -1}, {1, 1, 0}));
-  EXPECT_EQ(closedness(doubled), std::vector<bool>{true});
+}
+
+/// Solids with walls of their own touch along whole faces, or edges.
+TEST(Components, PartSolidsThatTouch)
+{
+  SCOPED_TRACE("seed 771");
+  std::vector<Mesh> stack, block, turned;
+  const Eigen::Matrix3d turn =
+    Eigen::AngleAxisd(1.234, Eigen::Vector3d(3, 1, 2).normalized()).toRotationMatrix();
+  for (int i = 0; i < 8; ++i)
+  {
+    stack.push_back(cube(Point(0, 0, i), Point(1, 1, i + 1)));
+    const Point low(i % 2, i / 2 % 2, i / 4);
+    block.push_back(cube(low, low + Point(1, 1, 1)));
+    turned.push_back(block.back().mapped([&turn](const Point& p) -> Point { return turn * p; }));
+  }
+  expectOneComponentEach(stack, 771);
+  expectOneComponentEach(block, 771);
+  expectOneComponentEach(turned, 771);
+  const Mesh ball = icosphere(3);
+  const std::size_t half = ball.triangles.size() / 2;
+  expectOneComponentEach(
+    {closedByACone(ball.part(0, half)), closedByACone(ball.part(half, 2 * half))}, 771);
+  // Solids in a row between solids, of which three touch along an edge.
+  const Mesh wedge{{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 1}, {2, 0, 1}, {1, 1, 1}},
+    {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}}};
+  const auto mirrored = [](const Point& p) -> Point
+  {
+    return {p[0], -p[1], p[2]};
+  };
+  expectOneComponentEach({wedge, wedge.reversed().mapped(mirrored)}, 771);
+}
+
+/// Blocks that overlap in a part of both have edges in common, too.
+TEST(Components, KeepSolidsThatOverlapTogether)
+{
+  const Mesh both = surfaceOf(
+    {{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+      {1, 1, 0}}).with(surfaceOf({{1, 1, 0}, {2, 1, 0}, {1, 2, 0}, {2, 2, 0}}));
+  EXPECT_EQ(closedness(both), std::vector<bool>{true});
 }
 
 TEST(Components, KeepPolygonsTogether)
