@@ -31,7 +31,9 @@ def _start():
         if not os.path.isdir(os.path.join(_FOLDER, name)):
             return _fail(f"{needs}the folder {name} beside WindingNumbers.py: unpack the whole zip "
                          f"into {_FOLDER}")
-    if _FOLDER not in sys.path:
+    loaded = sys.modules.get("winding_paraview.proxies")
+    if loaded is None or os.path.dirname(os.path.dirname(loaded.__file__)) != _FOLDER:
+        _forget()
         sys.path.insert(0, _FOLDER)
     try:
         import numpy  # noqa: F401
@@ -45,10 +47,19 @@ def _start():
     return declarations.read(os.path.join(_FOLDER, "xml"))
 
 
+def _forget():
+    """Forgets modules of another folder, which may not have loaded, or are another version's."""
+    for name in list(sys.modules):
+        if name.partition(".")[0] in ("vtkwinding", "winding_paraview"):
+            del sys.modules[name]
+
+
 def _fail(line):
     from vtkmodules.vtkCommonCore import vtkOutputWindow
 
-    vtkOutputWindow.GetInstance().DisplayErrorText(f"ERROR: In {__file__}, line 0\n{line}\n\n")
+    # The list of messages shows what follows the first colon of the second line.
+    text = f"ERROR: In {__file__}, line 0\nWindingNumbers.py: {line}\n\n"
+    vtkOutputWindow.GetInstance().DisplayErrorText(text)
     # Up to 5.13 ParaView puts another error in the place of an ImportError.
     raise RuntimeError(line)
 

@@ -40,8 +40,9 @@ def contents(library, licences):
     yield "LICENSE", (ROOT / "LICENSE").read_text(encoding="utf-8")
     for path in sorted((HERE / "winding_paraview").glob("*.py")):
         yield f"winding_paraview/{path.name}", path.read_bytes()
+    # Load New offers *.xml, and ParaView aborts on proxies whose bases or classes are not there.
     for path in sorted((ROOT / "paraview-plugin").glob("*.xml")):
-        yield f"xml/{path.name}", path.read_bytes()
+        yield f"xml/{path.stem}.pvxml", path.read_bytes()
     for path in sorted((ROOT / "paraview-plugin/icons").glob("*.svg")):
         yield f"icons/{path.name}", path.read_bytes()
     yield "xml/ColorDefaults.inc", (ROOT / "paraview-plugin/ColorDefaults.inc").read_bytes()

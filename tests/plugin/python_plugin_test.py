@@ -50,9 +50,13 @@ class PythonPlugin(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stdout[-4000:])
         return done.stdout
 
-    def run_text(self, plugin, text, *arguments, **options):
+    def write(self, text):
         script = self.folder / "script.py"
-        script.write_text(f"""import os, sys
+        script.write_text(text)
+        return script
+
+    def run_text(self, plugin, text, *arguments, **options):
+        script = self.write(f"""import os, sys
 sys.path.insert(0, {str(here)!r})
 from paraview import servermanager, simple
 simple.LoadPlugin(os.environ["WINDING_PLUGIN"], remote=False)
@@ -77,6 +81,37 @@ simple.LoadPlugin(os.environ["WINDING_PLUGIN"], remote=False)
         for subject in SAME:
             with self.subTest(subject):
                 self.run_script(self.python, here / f"{subject}_test.py")
+
+    def test_loads_after_a_zip_that_did_not(self):
+        """A folder of another system, or half unpacked, is in the way of no other folder."""
+        wrong = self.folder / "wrong"
+        with zipfile.ZipFile(os.environ["WINDING_ZIP"]) as archive:
+            archive.extractall(wrong)
+        wrong /= "WindingNumbers"
+        library = next(path for path in (wrong / "vtkwinding").iterdir() if ".so" in path.name)
+        library.rename(library.with_suffix(".dll"))
+        out = self.run_script(self.python, self.write(f"""
+from paraview import simple
+for path in {[str(wrong / "WindingNumbers.py"), self.python]}:
+    try:
+        simple.LoadPlugin(path, remote=False)
+    except RuntimeError as error:
+        print("refused", error)
+simple.WindingNumberField(Input=simple.Sphere(), Resolution=8).UpdatePipeline()
+import vtkwinding
+print("from", vtkwinding.__file__)
+"""))
+        self.assertIn("WindingNumbers.py: Winding Numbers needs the files and the library of its "
+                      "own zip, for this system: vtkwinding has no library at", out)
+        self.assertIn(f"from {pathlib.Path(self.python).parent}", out)
+
+    def test_offers_no_other_file_as_a_plugin(self):
+        """The dialog shows .py, .so, .dll and .xml files of this folder, and one is the plugin."""
+        with zipfile.ZipFile(os.environ["WINDING_ZIP"]) as archive:
+            names = archive.namelist()
+        self.assertEqual([name for name in names if name.endswith(".xml")], [])
+        self.assertEqual([name for name in names if name.count("/") == 1 and name.endswith(".py")],
+                         ["WindingNumbers/WindingNumbers.py"])
 
     def test_same_proxies_and_properties(self):
         script = """

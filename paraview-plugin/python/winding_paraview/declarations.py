@@ -33,9 +33,9 @@ def _order(path):
 
 def read(folder):
     """The texts of the XML files of a folder, bases first and the menu last."""
-    paths = sorted(pathlib.Path(folder).glob("*.xml"), key=_order)
+    paths = sorted(pathlib.Path(folder).glob("*.pvxml"), key=_order)
     if not paths:
-        raise FileNotFoundError(f"there are no XML files in {folder}")
+        raise FileNotFoundError(f"there are no files of XML in {folder}")
     icons = (pathlib.Path(folder).parent / "icons").as_posix()
     return [_of_python(path.read_text(encoding="utf-8"), icons) for path in paths
             if path.stem not in _LEFT_OUT]
