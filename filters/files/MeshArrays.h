@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Message.h"
+#include "files/NamedRegions.h"
 #include "files/PlainArray.h"
 
 #include <cstdint>
@@ -57,6 +58,8 @@ struct MeshArrays
   CellArrays vertices;                  ///< cells of single points or of many
   CellArrays lines;
   CellArrays polygons;
+  std::vector<NamedRegions>
+    regions;                  ///< of the polygons, for each kind that there is more than one of
   std::vector<Message> notes; ///< on what the file holds and the arrays do not
 };
 

@@ -6,6 +6,7 @@
 #include "files/Words.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstring>
 #include <iterator>
@@ -21,6 +22,7 @@ constexpr const char* itemNames[3] = {"vertex", "texture coordinate", "normal"};
 constexpr int leastNumbers[3] = {3, 1, 3};
 constexpr const char* cellNames[3] = {"point", "line", "face"};
 constexpr std::int64_t leastCorners[3] = {1, 2, 3};
+constexpr const char* regionKinds[3] = {"Object", "Group", "Material"};
 
 /// The numbers of items of each kind, in the order of itemNames, and of cells and their corners, in
 /// the order of cellNames, in some part of a file.
@@ -43,12 +45,17 @@ struct Counts
   }
 };
 
+/// The statements by which regions of each kind of regionKinds begin in a part of a file. Polygons
+/// are counted from its first one.
+using RegionStarts = std::array<std::vector<RegionStart>, 3>;
+
 /// The statements that are read or counted.
 enum class Statement
 {
   other,
   item,
   cell,
+  region,
   freeForm
 };
 
@@ -80,10 +87,15 @@ public:
     return true;
   }
 
-  /// Takes the keyword off the line. `kind` is its place in itemNames or cellNames.
+  /// Takes the keyword off the line. `kind` is its place in itemNames, cellNames or regionKinds.
   Statement takeStatement(int& kind)
   {
     const std::string_view keyword = takeWord(at_, end_);
+    if (keyword == "o" || keyword == "g" || keyword == "usemtl")
+    {
+      kind = keyword == "o" ? 0 : keyword == "g" ? 1 : 2;
+      return Statement::region;
+    }
     if (keyword.empty() || keyword.size() > 2)
     {
       return isFreeForm(keyword) ? Statement::freeForm : Statement::other;
@@ -115,6 +127,9 @@ public:
     return word.empty() || word[0] == '#' ? std::string_view() : word;
   }
 
+  /// The text that is left of the line.
+  std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
+
   /// The beginning of the line.
   const char* line() const { return line_; }
 
@@ -134,7 +149,8 @@ private:
   const char* last_; ///< the end of the text
 };
 
-Counts countsOf(std::string_view text)
+/// Counts what is in a part of a file, and notes where regions begin.
+Counts countsOf(std::string_view text, RegionStarts& regions)
 {
   Counts counts;
   int kind = 0;
@@ -143,6 +159,11 @@ Counts countsOf(std::string_view text)
     const Statement statement = lines.takeStatement(kind);
     counts.items[kind] += statement == Statement::item ? 1 : 0;
     counts.freeForms += statement == Statement::freeForm ? 1 : 0;
+    if (statement == Statement::region)
+    {
+      regions[static_cast<std::size_t>(kind)].push_back(
+        {static_cast<std::size_t>(counts.cells[2]), std::string(regionName(lines.rest()))});
+    }
     if (statement == Statement::cell)
     {
       ++counts.cells[kind];
@@ -163,6 +184,7 @@ public:
     : file_(file)
     , blocks_(file, 0, LineBlocks::usualBytes, LineBlocks::Backslash::joinsLines)
     , starts_(blocks_.count() + 1)
+    , regions_(blocks_.count())
     , executor_(executor)
   {
   }
@@ -180,6 +202,7 @@ public:
     {
       mesh_.normals = {};
     }
+    this->addRegionsOfAllKinds();
     this->addNotes();
     return std::move(mesh_);
   }
@@ -192,7 +215,7 @@ private:
       [this](std::size_t block)
       {
         const TextBlock text = blocks_.read(block);
-        starts_[block + 1] = countsOf(text.text());
+        starts_[block + 1] = countsOf(text.text(), regions_[block]);
       },
       executor_);
     for (std::size_t block = 0; block < blocks_.count(); ++block)
@@ -202,6 +225,24 @@ private:
     if (starts_.back().items[0] == 0)
     {
       file_.refuse("is not OBJ: it has no line with a vertex; give another file");
+    }
+  }
+
+  void addRegionsOfAllKinds()
+  {
+    for (std::size_t kind = 0; kind < std::size(regionKinds); ++kind)
+    {
+      std::vector<RegionStart> ofFile;
+      for (std::size_t block = 0; block < regions_.size(); ++block)
+      {
+        for (RegionStart& start : regions_[block][kind])
+        {
+          start.polygon += static_cast<std::size_t>(starts_[block].cells[2]);
+          ofFile.push_back(std::move(start));
+        }
+      }
+      addRegions(
+        regionKinds[kind], ofFile, EqualNames::sameRegion, mesh_.polygons.count(), mesh_.regions);
     }
   }
 
@@ -343,47 +384,50 @@ private:
   std::int64_t parseCorner(
     const ObjLines& lines, const TextBlock& text, std::string_view word, const Counts& at)
   {
-    std::int64_t vertex = 0;
-    for (int kind = 0; kind < 3; ++kind)
+    const std::string_view parts[] = {takePart(word), takePart(word), takePart(word)};
+    std::int64_t vertex = 0, normal = 0;
+    if (!this->findItem(parts[0], 0, at, vertex))
     {
-      const std::size_t slash = std::min(word.find('/'), word.size());
-      const std::string_view part = word.substr(0, slash);
-      if (kind == 0 || !part.empty())
-      {
-        const std::int64_t index = this->indexOf(lines, text, part, kind, at);
-        vertex = kind == 0 ? index : vertex;
-        if (kind == 2 && index != vertex && normalsFit_)
-        {
-          normalsFit_ = false;
-        }
-      }
-      word.remove_prefix(std::min(slash + 1, word.size()));
-      if (word.empty())
-      {
-        break;
-      }
+      this->refuse(lines, text,
+        std::string(itemNames[0]) + " " + std::string(parts[0].substr(0, 20)) +
+          " does not exist; there are " + std::to_string(starts_.back().items[0]) +
+          ", counted from 1");
+    }
+    // Texture coordinates are not used, and normals where they are those of the vertices.
+    if (!parts[2].empty() && normalsFit_ &&
+        (!this->findItem(parts[2], 2, at, normal) || normal != vertex))
+    {
+      normalsFit_ = false;
     }
     return vertex;
   }
 
-  /// The item that a part of a corner names, from 0 on.
-  std::int64_t indexOf(const ObjLines& lines, const TextBlock& text, std::string_view part,
-    int kind, const Counts& at) const
+  /// Takes the text up to the next slash off a word, and the slash.
+  static std::string_view takePart(std::string_view& word)
+  {
+    const std::size_t slash = std::min(word.find('/'), word.size());
+    const std::string_view part = word.substr(0, slash);
+    word.remove_prefix(std::min(slash + 1, word.size()));
+    return part;
+  }
+
+  /// Finds the item of a kind that a part of a corner names, from 0 on. Returns whether it exists.
+  bool findItem(std::string_view part, int kind, const Counts& at, std::int64_t& item) const
   {
     const std::int64_t all = starts_.back().items[kind], before = at.items[kind];
     std::int64_t index = 0;
     if (!parseInteger(part, index) || index == 0 || index > all || index < -before)
     {
-      this->refuse(lines, text,
-        std::string(itemNames[kind]) + " " + std::string(part.substr(0, 20)) +
-          " does not exist; there are " + std::to_string(all) + ", counted from 1");
+      return false;
     }
-    return index > 0 ? index - 1 : before + index;
+    item = index > 0 ? index - 1 : before + index;
+    return true;
   }
 
   const InputFile& file_;
   LineBlocks blocks_;
-  std::vector<Counts> starts_; ///< what is in the file before each block; the last is all
+  std::vector<Counts> starts_;        ///< what is in the file before each block; the last is all
+  std::vector<RegionStarts> regions_; ///< of each block
   Executor& executor_;
   MeshArrays mesh_;
   std::atomic<bool> normalsFit_{false};

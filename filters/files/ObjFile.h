@@ -14,11 +14,12 @@ namespace winding
  *
  * Normals (vn) belong to vertices where there are as many of them as vertices, and no corner
  * names the normal of another vertex; else they are left out, with a note where there are no
- * faces. Texture coordinates (vt), colours, groups and materials are passed over, and so are
- * free-form curves and surfaces, which a note counts.
+ * faces. Objects (o), groups (g) and materials (usemtl) are regions of the faces, each by its name,
+ * and faces before the first have one without a name. Texture coordinates (vt) and colours are
+ * passed over, and so are free-form curves and surfaces, which a note counts.
  *
  * Throws FileRefusal for files without vertices, vertices, normals and texture coordinates without
- * their numbers, faces with fewer than three corners, and corners that name what does not exist.
+ * their numbers, faces with fewer than three corners, and vertices of corners that do not exist.
  * Throws Interrupted. The result is the same for any number of threads.
  *
  * The format is described in "Object Files (.obj)", Advanced Visualizer Manual, Wavefront

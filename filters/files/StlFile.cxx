@@ -152,7 +152,7 @@ MeshArrays readStl(const InputFile& file, Executor& executor)
   }
   else
   {
-    mesh.points.doubles = readStlText(file, executor);
+    readStlText(file, mesh, executor);
   }
   mesh.polygons = separateTriangles(mesh.points.count() / 3, executor);
   return mesh;

@@ -3,12 +3,15 @@
 #include "base/Progress.h"
 #include "files/LineBlocks.h"
 #include "files/LineScanner.h"
+#include "files/NamedRegions.h"
 #include "files/OrderedBlocks.h"
 #include "files/Words.h"
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace winding
@@ -53,6 +56,7 @@ constexpr Keyword keywords[] = {
 };
 constexpr const Keyword& vertexKeyword = keywords[0];
 constexpr const Keyword& endFacetKeyword = keywords[4];
+constexpr const Keyword& solidKeyword = keywords[5];
 constexpr const Keyword& endSolidKeyword = keywords[6];
 
 /// The words that must stand next, for each state.
@@ -82,6 +86,7 @@ struct Lines
 {
   std::size_t vertices = 0;
   std::size_t facets = 0;
+  std::vector<RegionStart> solids; ///< that begin; facets are counted from the first of this part
   const Keyword* last = nullptr;   ///< keyword of the last line; null where there is none
   std::array<State, states> after; ///< the state at the end, for each one at the beginning
 };
@@ -97,7 +102,7 @@ public:
   {
   }
 
-  PlainArray<double> run()
+  void run(MeshArrays& mesh)
   {
     Progress progress(executor_);
     progress.set(0, 0.3); // the first look takes three tenths of the time
@@ -107,7 +112,8 @@ public:
     this->readVertices();
     this->checkEnd();
     this->checkOrder();
-    return std::move(numbers_);
+    this->addSolids(mesh);
+    mesh.points.doubles = std::move(numbers_);
   }
 
 private:
@@ -124,6 +130,10 @@ private:
       const Keyword& keyword = keywordOf(scanner.word());
       lines.vertices += &keyword == &vertexKeyword ? 1 : 0;
       lines.facets += &keyword == &endFacetKeyword ? 1 : 0;
+      if (&keyword == &solidKeyword)
+      {
+        lines.solids.push_back({lines.facets, std::string(regionName(scanner.rest()))});
+      }
       lines.last = &keyword;
       for (State& state : lines.after)
       {
@@ -211,6 +221,22 @@ private:
     }
   }
 
+  void addSolids(MeshArrays& mesh)
+  {
+    std::vector<RegionStart> solids;
+    std::size_t facets = 0;
+    for (Lines& lines : lines_)
+    {
+      for (RegionStart& solid : lines.solids)
+      {
+        solid.polygon += facets;
+        solids.push_back(std::move(solid));
+      }
+      facets += lines.facets;
+    }
+    addRegions("Solid", solids, EqualNames::otherRegions, facets, mesh.regions);
+  }
+
   /// Refuses the line of a block that stands where it must not. `state` is that at the beginning.
   [[noreturn]] void refuseOrder(std::size_t block, State state) const
   {
@@ -237,9 +263,9 @@ private:
 
 } // namespace
 
-PlainArray<double> readStlText(const InputFile& file, Executor& executor)
+void readStlText(const InputFile& file, MeshArrays& mesh, Executor& executor)
 {
-  return StlTextParser(file, executor).run();
+  StlTextParser(file, executor).run(mesh);
 }
 
 } // namespace winding

@@ -2,13 +2,14 @@
 
 #include "base/Executor.h"
 #include "files/InputFile.h"
-#include "files/PlainArray.h"
+#include "files/MeshArrays.h"
 
 namespace winding
 {
 
-/// Reads the vertices of all triangles of an STL file of text: nine numbers for each triangle, in
-/// the order of the file. Throws FileRefusal and Interrupted as readStl() does.
-PlainArray<double> readStlText(const InputFile& file, Executor& executor);
+/// Reads the vertices of all triangles of an STL file of text, three points for each triangle in
+/// the order of the file, and its solids as regions of that many triangles. Throws FileRefusal and
+/// Interrupted as readStl() does.
+void readStlText(const InputFile& file, MeshArrays& mesh, Executor& executor);
 
 } // namespace winding

@@ -51,6 +51,51 @@ TEST(ObjFile, NormalsAreThoseOfVertices)
     << "there are fewer normals than vertices";
 }
 
+TEST(ObjFile, WhatIsNotUsedMayNotExist)
+{
+  const MeshArrays mesh =
+    parsed(readObj, threeVertices + "vn 0 0 1\nvn 0 0 1\nvn 0 0 1\nf 1/7/1 2/x/2 3//9\nf 1/ 2 3\n");
+  expectCells(mesh.polygons, {0, 3, 6}, {0, 1, 2, 0, 1, 2});
+  EXPECT_EQ(mesh.normals.count(), 0u);
+}
+
+TEST(ObjFile, RegionsAreNamed)
+{
+  const MeshArrays mesh = parsed(readObj,
+    "o house \n" + threeVertices +
+      "g\nf 1 2 3\nl 1 2\nusemtl red brick\nf 1 3 2\no a tree\ng leaf 1\r\n"
+      "f 1 2 3\no house\nusemtl glass\nusemtl red brick\nf 2 1 3\ng leaf 1\nusemtl unused\n");
+  ASSERT_EQ(mesh.regions.size(), 3u);
+  EXPECT_STREQ(mesh.regions[0].kind, "Object");
+  EXPECT_EQ(mesh.regions[0].names, (std::vector<std::string>{"house", "a tree"}));
+  EXPECT_EQ(vectorOf(mesh.regions[0].ofPolygon), (std::vector<std::int32_t>{0, 0, 1, 0}));
+  EXPECT_STREQ(mesh.regions[1].kind, "Group");
+  EXPECT_EQ(mesh.regions[1].names, (std::vector<std::string>{"", "leaf 1"}));
+  EXPECT_EQ(vectorOf(mesh.regions[1].ofPolygon), (std::vector<std::int32_t>{0, 0, 1, 1}));
+  EXPECT_STREQ(mesh.regions[2].kind, "Material");
+  EXPECT_EQ(mesh.regions[2].names, (std::vector<std::string>{"", "red brick"}));
+  EXPECT_EQ(vectorOf(mesh.regions[2].ofPolygon), (std::vector<std::int32_t>{0, 1, 1, 1}));
+  EXPECT_TRUE(parsed(readObj, threeVertices + "o all\nusemtl a\nf 1 2 3\n").regions.empty());
+  EXPECT_TRUE(parsed(readObj, threeVertices + "o a\no b\n").regions.empty());
+}
+
+TEST(ObjFile, RegionsMayBeginInAnyBlock)
+{
+  std::string text = threeVertices;
+  std::vector<std::int32_t> regions;
+  for (std::int32_t i = 0; text.size() < 4 * LineBlocks::usualBytes; ++i)
+  {
+    const std::int32_t region = i / 10000;
+    text += (i % 10000 == 0 ? "g part " + std::to_string(region) + "\n" : "") + "f 1 2 3\n";
+    regions.push_back(region);
+  }
+  shapes::ShuffledThreads threads(321);
+  const MeshArrays mesh = parsed(readObj, text, threads);
+  ASSERT_EQ(mesh.regions.size(), 1u);
+  EXPECT_EQ(vectorOf(mesh.regions[0].ofPolygon), regions);
+  EXPECT_EQ(mesh.regions[0].names.back(), "part " + std::to_string(regions.back()));
+}
+
 TEST(ObjFile, Refusals)
 {
   const auto expect = [](const std::string& text, const std::string& words)
@@ -78,9 +123,6 @@ TEST(ObjFile, Refusals)
   expect("v 0 0 0\nv 1 0 0\nf 1 2 -3\nv 0 1 0\n", "line 3: vertex -3 does not exist");
   expect(threeVertices + "f 1 2 99999999999999999999\n", "line 4: vertex 99999999999999999999");
   expect(threeVertices + "f 1 2 -9223372036854775808\n", "line 4: vertex -9223372036854775808");
-  expect(threeVertices + "f 1/1 2/1 3/1\n",
-    "line 4: texture coordinate 1 does not exist; there are 0, counted from 1");
-  expect(threeVertices + "f 1//1 2//1 3//1\n", "line 4: normal 1 does not exist");
   expect(threeVertices + "f 1 2 x\n", "line 4: vertex x does not exist");
   expect(threeVertices + "f 1 2 /3\n", "line 4: vertex  does not exist");
 }

@@ -98,6 +98,18 @@ void expectTriangles(const MeshArrays& mesh, std::size_t count, bool areFloats)
   }
 }
 
+TEST(StlFile, SolidsAreNamed)
+{
+  const MeshArrays mesh = parsed(readStl,
+    "solid left half\n" + facet(0) + facet(1) + "endsolid left half\nsolid\nendsolid\nSOLID\n" +
+      facet(2) + "endsolid\nsolid left half\n" + facet(3) + "endsolid\n");
+  ASSERT_EQ(mesh.regions.size(), 1u);
+  EXPECT_STREQ(mesh.regions[0].kind, "Solid");
+  EXPECT_EQ(mesh.regions[0].names, (std::vector<std::string>{"left half", "", "left half"}));
+  EXPECT_EQ(vectorOf(mesh.regions[0].ofPolygon), (std::vector<std::int32_t>{0, 0, 1, 2}));
+  EXPECT_TRUE(parsed(readStl, textFile(3)).regions.empty());
+}
+
 TEST(StlFile, BinaryFiles)
 {
   for (const std::size_t count : {0, 1, 2, 20000})

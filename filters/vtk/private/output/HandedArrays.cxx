@@ -1,14 +1,21 @@
 #include "private/output/HandedArrays.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <string>
 
 namespace winding
 {
@@ -34,6 +41,34 @@ vtkSmartPointer<vtkCellArray> handedOver(CellArrays& cells)
     array->SetData(offsets, handedArray<vtkTypeInt64Array>(cells.connectivity, 1));
   }
   return array;
+}
+
+/// Adds the regions of polygons, which are −1 for other cells, and their names.
+void addRegions(NamedRegions& regions, vtkPolyData* output)
+{
+  const std::string kind = regions.kind;
+  const vtkIdType others = output->GetNumberOfVerts() + output->GetNumberOfLines();
+  vtkSmartPointer<vtkIntArray> ids;
+  if (others == 0)
+  {
+    ids = handedArray<vtkIntArray>(regions.ofPolygon, 1);
+  }
+  else
+  {
+    ids = vtkSmartPointer<vtkIntArray>::New();
+    ids->SetNumberOfValues(output->GetNumberOfCells());
+    std::fill_n(ids->GetPointer(0), others, -1);
+    std::copy(regions.ofPolygon.begin(), regions.ofPolygon.end(), ids->GetPointer(others));
+  }
+  ids->SetName((kind + "Ids").c_str());
+  output->GetCellData()->AddArray(ids);
+  vtkNew<vtkStringArray> names;
+  names->SetName((kind + "Names").c_str());
+  for (const std::string& name : regions.names)
+  {
+    names->InsertNextValue(name);
+  }
+  output->GetFieldData()->AddArray(names);
 }
 
 } // namespace
@@ -69,6 +104,10 @@ void handOver(MeshArrays& mesh, vtkPolyData* output)
     const auto areas = handedArray<vtkDoubleArray>(mesh.areas, 1);
     areas->SetName("Area");
     output->GetPointData()->AddArray(areas);
+  }
+  for (NamedRegions& regions : mesh.regions)
+  {
+    addRegions(regions, output);
   }
 }
 
