@@ -11,7 +11,7 @@
 namespace winding
 {
 
-/// The polygons of a file in regions that it names, such as its objects or materials.
+/// The polygons of a file in regions that it names: objects, groups, materials or solids.
 struct NamedRegions
 {
   const char* kind = "";              ///< Object, Group, Material or Solid

@@ -393,7 +393,7 @@ private:
           " does not exist; there are " + std::to_string(starts_.back().items[0]) +
           ", counted from 1");
     }
-    // Texture coordinates are not used, and normals where they are those of the vertices.
+    // Texture coordinates are not used, and normals only where each vertex has its own.
     if (!parts[2].empty() && normalsFit_ &&
         (!this->findItem(parts[2], 2, at, normal) || normal != vertex))
     {

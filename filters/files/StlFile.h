@@ -14,7 +14,7 @@ namespace winding
  * promises, or where it is no text. Text begins with "solid", behind blank lines or not.
  *
  * Each triangle has three points of its own, in the order of the file, as floats from binary files
- * and doubles from text; nothing is welded. Solids are regions, of which several may have a name or
+ * and doubles from text; nothing is welded. Solids are regions, and several may have one name, or
  * none. The normals and attributes of facets and colours are passed over.
  *
  * Throws FileRefusal for binary files of another size than they promise, vertices without three

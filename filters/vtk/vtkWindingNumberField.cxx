@@ -144,7 +144,7 @@ void vtkWindingNumberField::WarnOfPieces(const vtkIdType counts[4])
       {
         winding::SmpExecutor executor(this, this->NumberOfThreads);
         executor.setShare(1, 1);
-        const winding::Field& field = this->FieldOf(this->GetInputDataObject(0, 0), executor);
+        const winding::Field& field = this->FieldOf(this->GetSource(), executor);
         if (this->GetRanks().rank() == 0)
         {
           this->SourceIsInsideOut = false;

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <set>
 
 namespace
 {
@@ -68,7 +69,10 @@ int vtkWindingNumberGridAlgorithm::FillInputPortInformation(int, vtkInformation*
 int vtkWindingNumberGridAlgorithm::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  this->AskForSource(inputs[0]->GetInformationObject(0));
+  for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
+  {
+    this->AskForSource(inputs[0]->GetInformationObject(i));
+  }
   return 1;
 }
 
@@ -110,9 +114,22 @@ void vtkWindingNumberGridAlgorithm::GetGrid(
   }
 }
 
+vtkDataObject* vtkWindingNumberGridAlgorithm::GetSource()
+{
+  return this->GetInputDataObject(0, 0);
+}
+
 void vtkWindingNumberGridAlgorithm::UpdateSource(vtkInformation* outInfo)
 {
-  vtkAlgorithmOutput* connection = this->GetInputConnection(0, 0);
+  for (int i = 0; i < this->GetNumberOfInputConnections(0); ++i)
+  {
+    this->UpdateConnection(this->GetInputConnection(0, i), outInfo);
+  }
+}
+
+void vtkWindingNumberGridAlgorithm::UpdateConnection(
+  vtkAlgorithmOutput* connection, vtkInformation* outInfo)
+{
   vtkAlgorithm* producer = connection->GetProducer();
   const int port = connection->GetIndex();
   vtkNew<vtkInformation> request;
@@ -139,38 +156,44 @@ void vtkWindingNumberGridAlgorithm::UpdateSource(vtkInformation* outInfo)
 
 void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes(vtkInformation* outInfo)
 {
-  vtkAlgorithmOutput* connection = this->GetInputConnection(0, 0);
-  vtkAlgorithm* producer = connection->GetProducer();
-  producer->UpdateInformation();
-  vtkInformation* produced = producer->GetOutputInformation(connection->GetIndex());
-  const int times = produced->Length(Pipeline::TIME_STEPS());
-  if (!this->UseInputBounds || !this->BoundsOverAllTimes || times == 0)
+  winding::ContentHash hash;
+  std::set<double> steps;
+  vtkInformation* moving = nullptr; // the first source that has times
+  for (int i = 0; i < this->GetNumberOfInputConnections(0); ++i)
+  {
+    vtkAlgorithmOutput* connection = this->GetInputConnection(0, i);
+    vtkAlgorithm* producer = connection->GetProducer();
+    producer->UpdateInformation();
+    vtkInformation* produced = producer->GetOutputInformation(connection->GetIndex());
+    const int times = produced->Length(Pipeline::TIME_STEPS());
+    const double* const first = times > 0 ? produced->Get(Pipeline::TIME_STEPS()) : nullptr;
+    steps.insert(first, first + times);
+    moving = moving || times == 0 ? moving : produced;
+    hash.addValue(reinterpret_cast<std::uintptr_t>(producer));
+    hash.addValue(
+      vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive())->GetPipelineMTime());
+  }
+  if (!this->UseInputBounds || !this->BoundsOverAllTimes || steps.empty())
   {
     this->BoundsOfTimes.clear();
     return;
   }
-  winding::ContentHash hash;
-  hash.addValue(reinterpret_cast<std::uintptr_t>(producer));
-  hash.addValue(
-    vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive())->GetPipelineMTime());
   hash.addValue(winding::hashOf(this->GetSourceOptions()));
   if (!this->BoundsOfTimes.empty() && this->SourceOfTimes == hash.value())
   {
     return;
   }
   winding::Bounds all;
-  const std::vector<double> steps(
-    produced->Get(Pipeline::TIME_STEPS()), produced->Get(Pipeline::TIME_STEPS()) + times);
-  const double before = produced->Has(Pipeline::UPDATE_TIME_STEP())
-                          ? produced->Get(Pipeline::UPDATE_TIME_STEP())
-                          : steps.front();
+  const double before = moving->Has(Pipeline::UPDATE_TIME_STEP())
+                          ? moving->Get(Pipeline::UPDATE_TIME_STEP())
+                          : *steps.begin();
   vtkNew<vtkInformation> request;
   for (const double step : steps)
   {
     request->Set(Pipeline::UPDATE_TIME_STEP(), step);
     this->UpdateSource(request);
     double bounds[6];
-    if (this->GetSourceBounds(this->GetInputDataObject(0, 0), bounds))
+    if (this->GetSourceBounds(this->GetSource(), bounds))
     {
       all.extend(toBounds(bounds).min());
       all.extend(toBounds(bounds).max());

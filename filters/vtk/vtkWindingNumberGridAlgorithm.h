@@ -146,6 +146,9 @@ protected:
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
 
+  /// Returns the source as the inputs hold it now, which may be null.
+  virtual vtkDataObject* GetSource();
+
   /// Brings the source up to date, whole, for the time that `outInfo` asks for, if it asks for one.
   /// Throws a refusal if it fails.
   void UpdateSource(vtkInformation* outInfo);
@@ -210,6 +213,7 @@ protected:
   double MaxErrorBesidePoints = 0;
 
 private:
+  void UpdateConnection(vtkAlgorithmOutput* connection, vtkInformation* outInfo);
   winding::GridRequest GetGridRequest(vtkDataObject* source);
   bool GetBoundsOfGrid(vtkDataObject* source, double bounds[6]);
 

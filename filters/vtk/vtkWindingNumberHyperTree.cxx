@@ -48,9 +48,9 @@ int vtkWindingNumberHyperTree::FillOutputPortInformation(int, vtkInformation* in
 }
 
 int vtkWindingNumberHyperTree::RequestInformation(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  this->LookAtSource(vtkDataObject::GetData(inputs[0]));
+  this->LookAtSource(this->GetSource());
   this->FindBoundsOverAllTimes(outputs->GetInformationObject(0));
   // The pipeline wants an extent of this kind of data. The bricks are not known before the source
   // is, and nobody can ask for some of them.
@@ -132,7 +132,7 @@ std::size_t vtkWindingNumberHyperTree::GetAdditionalBytes(
 }
 
 int vtkWindingNumberHyperTree::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   vtkHyperTreeGrid* output = vtkHyperTreeGrid::GetData(outInfo);
@@ -143,7 +143,7 @@ int vtkWindingNumberHyperTree::RequestData(
   }
   this->AgreeOnProperties();
   this->CheckVerification(this->GenerateWindingNumber != 0);
-  vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
+  vtkDataObject* source = this->GetSource();
   this->LayOutGrid(source);
   const winding::Field& field = this->PrepareGridField(source);
   if (this->IsHelper())

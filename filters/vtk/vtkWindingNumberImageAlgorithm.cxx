@@ -37,7 +37,7 @@ int vtkWindingNumberImageAlgorithm::FillOutputPortInformation(int, vtkInformatio
 }
 
 int vtkWindingNumberImageAlgorithm::RequestInformation(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   // The pipeline hands on the grid of an image that the source was made of, such as a contour's.
@@ -46,7 +46,7 @@ int vtkWindingNumberImageAlgorithm::RequestInformation(
   outInfo->Remove(vtkDataObject::SPACING());
   const int nothing[6] = {0, -1, 0, -1, 0, -1};
   outInfo->Set(Pipeline::WHOLE_EXTENT(), nothing, 6);
-  vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
+  vtkDataObject* source = this->GetSource();
   this->LookAtSource(source);
   this->AgreeOnProperties();
   this->FindBoundsOverAllTimes(outInfo);
@@ -54,7 +54,7 @@ int vtkWindingNumberImageAlgorithm::RequestInformation(
   {
     // The grid depends on the source's bounds, and is known before anybody asks for a part of it.
     this->UpdateSource(outInfo);
-    source = vtkDataObject::GetData(inputs[0]);
+    source = this->GetSource();
     this->LookAtSource(source);
   }
   this->CheckSource(source);
@@ -101,7 +101,7 @@ void vtkWindingNumberImageAlgorithm::HashProperties(winding::ContentHash& hash)
 }
 
 int vtkWindingNumberImageAlgorithm::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(outInfo);
@@ -115,7 +115,7 @@ int vtkWindingNumberImageAlgorithm::RequestData(
   int extent[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), extent);
   // The source may belong to another time than the one at which the grid was laid.
-  vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
+  vtkDataObject* source = this->GetSource();
   this->MoveGrid(source);
   this->TellGrid(outInfo);
 

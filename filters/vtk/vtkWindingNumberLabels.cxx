@@ -22,9 +22,12 @@
 #include "voxels/SolidEvaluation.h"
 #include "voxels/VoxelEvaluation.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkStringArray.h"
@@ -64,6 +67,56 @@ vtkWindingNumberLabels::~vtkWindingNumberLabels()
   this->SetRegionArray(nullptr);
 }
 
+int vtkWindingNumberLabels::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+void vtkWindingNumberLabels::SetInputName(int connection, const char* name)
+{
+  std::string& own = this->InputNames[connection];
+  if (own != winding::textOf(name))
+  {
+    own = winding::textOf(name);
+    this->Modified();
+  }
+}
+
+const char* vtkWindingNumberLabels::GetInputName(int connection) const
+{
+  const auto found = this->InputNames.find(connection);
+  return found == this->InputNames.end() ? "" : found->second.c_str();
+}
+
+void vtkWindingNumberLabels::ClearInputNames()
+{
+  if (!this->InputNames.empty())
+  {
+    this->InputNames.clear();
+    this->Modified();
+  }
+}
+
+vtkDataObject* vtkWindingNumberLabels::GetSource()
+{
+  const int count = this->GetNumberOfInputConnections(0);
+  if (count < 2)
+  {
+    return this->Superclass::GetSource();
+  }
+  this->Blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (int i = 0; i < count; ++i)
+  {
+    const std::string name = this->GetInputName(i);
+    const auto block = static_cast<unsigned int>(i);
+    this->Blocks->SetBlock(block, this->GetInputDataObject(0, i));
+    this->Blocks->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(),
+      name.empty() ? ("Input " + std::to_string(i + 1)).c_str() : name.c_str());
+  }
+  return this->Blocks;
+}
+
 void vtkWindingNumberLabels::CheckProperties()
 {
   this->Superclass::CheckProperties();
@@ -80,6 +133,11 @@ void vtkWindingNumberLabels::HashProperties(winding::ContentHash& hash)
   hash.addValue(this->CoverageArrays);
   hash.addValue(this->LabelOffset);
   hash.addText(winding::textOf(this->RegionArray));
+  for (const auto& [connection, name] : this->InputNames)
+  {
+    hash.addValue(connection);
+    hash.addText(name);
+  }
 }
 
 void vtkWindingNumberLabels::CheckSource(vtkDataObject* source)
@@ -452,6 +510,20 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
   {
     vtkWarningMacro(<< winding::lineOf(notes));
   }
+  if (solids.areNumbered())
+  {
+    vtkWarningMacro(<< winding::lineOf(
+                      {"labels are counted from 1, for regions are not all 1 to 65535",
+                        {{"choose another offset", {winding::Parameter::labelOffset}}},
+                        "names of the labels say which regions they are"}));
+  }
+  if (!solids.dividingNames().empty())
+  {
+    vtkWarningMacro(<< winding::lineOf(
+                      {"the file's own names divide solids, which are parts by connectivity",
+                        {{"label what has names", {winding::Parameter::regionArray}}},
+                        "the names belong to '" + solids.dividingNames() + "'"}));
+  }
   if (solids.repeatedNames() > 0)
   {
     vtkWarningMacro(<< "solids have equal names: give them different ones; "
@@ -468,6 +540,7 @@ void vtkWindingNumberLabels::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoverageArrays: " << this->CoverageArrays << "\n";
   os << indent << "RegionArray: " << winding::textOf(this->RegionArray) << "\n";
   os << indent << "LabelOffset: " << this->LabelOffset << "\n";
+  os << indent << "InputNames: " << this->InputNames.size() << "\n";
   os << indent << "LabelLegend: " << this->GetNumberOfSolids() << " lines\n";
   os << indent << "NumberOfSolids: " << this->GetNumberOfSolids() << "\n";
   os << indent << "NumberOfEmptySolids: " << this->GetNumberOfEmptySolids() << "\n";

@@ -14,21 +14,29 @@
  *   one leaf. Of a vtkPartitionedDataSetCollection every partitioned data set is one, and of any
  *   other composite every leaf. Their labels are 1, 2, … in the order of the blocks. A block that
  *   is empty or not there has a label, which no voxel gets.
+ * - Of several inputs every one is a block, in the order of the connections.
  * - Of a single data set every region is one: the cells with one value of the cell array
- *   RegionArray, an integer. The label is that value plus LabelOffset. Polydata has regions of
- *   polygons and strips, other data sets have regions with outer surfaces of their own.
+ *   RegionArray, an integer or a text. The label of an integer is that value plus LabelOffset.
+ *   Texts have the labels 1, 2, … in their order; so have integers where some would give no label
+ *   and LabelOffset is 0, with a warning. Polydata has regions of polygons and strips,
+ *   other data sets have regions with outer surfaces of their own.
  * - Of a single data set without a RegionArray every part is one that shares edges with no other;
- *   the wall of a cavity, which is oriented inward, belongs to the part around it. Parts have the
- *   labels 1, 2, … by their number of triangles, most first.
+ *   the wall of a cavity, which is oriented inward, belongs to the part around it, and closed parts
+ *   that touch are apart. They have the labels 1, 2, … by their number of triangles, most first.
+ *   Where a file names them, parts of one name are one, with labels in the order of the names:
+ *   the first of objects, solids and groups that do not divide a part, or else materials, if each
+ *   part has another one. Names are the cell arrays "ObjectIds", "SolidIds", "GroupIds" and
+ *   "MaterialIds" of vtkSourceReader, with "ObjectNames" and so on in the field data.
  *
  * Each solid is a surface or a cloud as vtkWindingNumberAlgorithm says, and need not be closed: its
  * winding number decides.
  *
  * **Output.** In addition to "Label", which is active, there are arrays by GenerateSolidCount and
  * CoverageArrays. The field data has a row for each solid: "LabelValues" (unsigned short) and
- * "LabelNames" (strings), the names of the blocks, or "Block n" where there is none, or the region
- * array's name and the region, or "Part n". A name that occurs again gets a number. For a surface
- * of all labels that meets without gaps see vtkWindingNumberVoxels, or smooth vtkSurfaceNets3D.
+ * "LabelNames" (strings), the names of the blocks, or "Block n" where there is none, of inputs
+ * (SetInputName()), of the file, of a region, which is a text or the array and the integer, or
+ * "Part n". A name that occurs again gets a number. For a surface of all labels that meets without
+ * gaps see vtkWindingNumberVoxels, or smooth vtkSurfaceNets3D.
  *
  * **Pipeline.** The image is laid by vtkWindingNumberImageAlgorithm, which says how the filter
  * streams. One solid after the other is built, evaluated where it can be inside and forgotten, so
@@ -54,11 +62,15 @@
 #ifndef vtkWindingNumberLabels_h
 #define vtkWindingNumberLabels_h
 
+#include "vtkSmartPointer.h" // for several inputs
 #include "vtkWindingNumberImageAlgorithm.h"
 
 #include <cstddef> // for std::size_t
+#include <map>     // for the names of inputs
 #include <string>  // for the names of solids
 #include <vector>  // for solids that have voxels
+
+class vtkMultiBlockDataSet;
 
 namespace winding
 {
@@ -122,8 +134,8 @@ public:
 
   ///@{
   /// The name of the cell array that says of a single data set which cells are a solid. Default: no
-  /// name, for the parts by connectivity; the name None means the same if no array has it. It has
-  /// no effect for blocks.
+  /// name, for the parts by connectivity, where parts that a file names alike are one; the name
+  /// None means the same if no array has it. It has no effect for blocks.
   vtkSetStringMacro(RegionArray);
   vtkGetStringMacro(RegionArray);
   ///@}
@@ -133,6 +145,17 @@ public:
   /// vtkConnectivityFilter's do. Default 0.
   vtkSetMacro(LabelOffset, int);
   vtkGetMacro(LabelOffset, int);
+  ///@}
+
+  /// Adds an input, which is a solid or has several. Without a pipeline, as SetInputData().
+  void AddInputData(vtkDataObject* source) { this->AddInputDataInternal(0, source); }
+
+  ///@{
+  /// The names of several inputs, by the numbers of their connections from 0 on. An input without
+  /// a name is called "Input 1" and so on. Default: no names.
+  void SetInputName(int connection, const char* name);
+  const char* GetInputName(int connection) const;
+  void ClearInputNames();
   ///@}
 
   /// The labels and names of the solids of the last execution, as "LabelValues" and "LabelNames"
@@ -156,6 +179,8 @@ protected:
   vtkWindingNumberLabels(const vtkWindingNumberLabels&) = delete;
   void operator=(const vtkWindingNumberLabels&) = delete;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkDataObject* GetSource() override;
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
   void CheckSource(vtkDataObject* source) override;
@@ -190,6 +215,8 @@ private:
 
   std::unique_ptr<winding::LabelFacts> Facts;
   std::string LabelLegend;
+  std::map<int, std::string> InputNames;
+  vtkSmartPointer<vtkMultiBlockDataSet> Blocks; ///< several inputs, as GetSource() returned them
 };
 
 #endif

@@ -159,6 +159,130 @@ TEST_F(LabelInputs, RegionsOfACellArrayAreSolids)
   EXPECT_EQ(far, expected);
 }
 
+TEST_F(LabelInputs, RegionsThatAreNoLabelsAreCounted)
+{
+  const Surfaces balls = fiveBalls();
+  const auto expected = made(asAssembly(balls));
+  labels->SetRegionArray("Region");
+  for (const int first : {0, -3, 65533, -1'000'000})
+  {
+    EXPECT_EQ(made(withRegions(balls, first, 2)), expected) << first;
+    EXPECT_EQ(names()[4], "Region " + std::to_string(first + 8));
+    EXPECT_NE(warnings.find("labels are counted from 1, for regions are not all 1 to 65535"),
+      std::string::npos)
+      << warnings;
+  }
+}
+
+TEST_F(LabelInputs, TextsAreNamesOfRegions)
+{
+  const Surfaces balls = fiveBalls();
+  const auto expected = made(asAssembly(balls));
+  const auto surface = appended(balls);
+  vtkNew<vtkStringArray> bones;
+  bones->SetName("Bone");
+  for (std::size_t i = 0; i < balls.size(); ++i)
+  {
+    for (vtkIdType n = 0; n < balls[i]->GetNumberOfPolys(); ++n)
+    {
+      bones->InsertNextValue(std::string(1, static_cast<char>('a' + i)) + " bone");
+    }
+  }
+  surface->GetCellData()->AddArray(bones);
+  labels->SetRegionArray("Bone");
+  EXPECT_EQ(made(surface), expected);
+  EXPECT_EQ(names()[3], "d bone");
+  EXPECT_EQ(warnings.find("counted"), std::string::npos) << warnings;
+}
+
+/// A surface of several, with the names that a file gives them.
+vtkSmartPointer<vtkPolyData> withNames(
+  const Surfaces& solids, const std::string& kind, const std::vector<int>& ids)
+{
+  const auto surface = appended(solids);
+  vtkNew<vtkIntArray> ofCells;
+  vtkNew<vtkStringArray> names;
+  ofCells->SetName((kind + "Ids").c_str());
+  names->SetName((kind + "Names").c_str());
+  for (std::size_t i = 0; i < solids.size(); ++i)
+  {
+    for (vtkIdType n = 0; n < solids[i]->GetNumberOfPolys(); ++n)
+    {
+      ofCells->InsertNextValue(ids[i]);
+    }
+  }
+  for (const std::string name : {"skin", "bone", ""})
+  {
+    names->InsertNextValue(name);
+  }
+  surface->GetCellData()->AddArray(ofCells);
+  surface->GetFieldData()->AddArray(names);
+  return surface;
+}
+
+TEST_F(LabelInputs, AreNamedByTheirFile)
+{
+  const Surfaces balls = {ball(0, 0, 0, 1), ball(3, 0, 0, 0.7), ball(5, 0, 0, 0.5)};
+  for (const std::string kind : {"Object", "Solid", "Group", "Material"})
+  {
+    const auto expected = made(asAssembly({balls[2], balls[0], balls[1]}));
+    EXPECT_EQ(made(withNames(balls, kind, {1, 2, 0})), expected) << kind;
+    EXPECT_EQ(names(), (std::vector<std::string>{"skin", "bone", kind + " 2"}));
+    EXPECT_EQ(warnings, "");
+  }
+  const auto both = appended({balls[0], balls[2]});
+  const auto expected = made(asAssembly({balls[1], both}));
+  EXPECT_EQ(made(withNames(balls, "Group", {1, 0, 1})), expected);
+  EXPECT_EQ(names(), (std::vector<std::string>{"skin", "bone"}));
+  made(withNames(balls, "Material", {1, 0, 1}));
+  EXPECT_EQ(names()[2], "Part 3") << "materials name parts where each has its own";
+  labels->SetRegionArray("MaterialIds");
+  EXPECT_EQ(made(withNames(balls, "Material", {1, 0, 1})), expected);
+  EXPECT_EQ(names(), (std::vector<std::string>{"skin", "bone"}));
+}
+
+TEST_F(LabelInputs, NamesThatDividePartsAreTold)
+{
+  const auto surface = withNames({ball(0, 0, 0, 1), ball(3, 0, 0, 0.7)}, "Object", {1, 0});
+  vtkIntArray::SafeDownCast(surface->GetCellData()->GetArray("ObjectIds"))->SetValue(0, 0);
+  made(surface);
+  EXPECT_EQ(names()[1], "Part 2");
+  EXPECT_NE(warnings.find("the file's own names divide solids, which are parts by connectivity: "
+                          "label what has names (SetRegionArray()); the names belong to "
+                          "'ObjectIds'"),
+    std::string::npos)
+    << warnings;
+}
+
+TEST_F(LabelInputs, SeveralInputsAreSolids)
+{
+  const Surfaces balls = fiveBalls();
+  const auto expected = made(asAssembly(balls));
+  labels->RemoveAllInputs();
+  for (const auto& one : balls)
+  {
+    labels->AddInputData(one);
+  }
+  labels->SetInputName(1, "skull");
+  labels->Update();
+  EXPECT_EQ(shortsOf(labels->GetOutput()->GetPointData()), expected);
+  EXPECT_EQ(names()[0], "Input 1");
+  EXPECT_EQ(names()[1], "skull");
+  labels->ClearInputNames();
+  labels->Update();
+  EXPECT_EQ(names()[1], "Input 2");
+
+  // Blocks of an input are solids, too.
+  labels->RemoveAllInputs();
+  labels->AddInputData(asAssembly({balls[0], balls[1], balls[2]}));
+  labels->AddInputData(balls[3]);
+  labels->AddInputData(balls[4]);
+  labels->Update();
+  EXPECT_EQ(shortsOf(labels->GetOutput()->GetPointData()), expected);
+  EXPECT_EQ(names()[2], "solid 2");
+  EXPECT_EQ(names()[3], "Input 2");
+}
+
 /// The parts by connectivity have labels by their triangles, most first; of as many, by their
 /// lowest vertices.
 TEST_F(LabelInputs, PartsByConnectivityAreSolids)
@@ -283,20 +407,15 @@ TEST_F(LabelInputs, WhatGivesNoLabelsIsRefusedInOneLine)
   expectRefused(blocks, "leave block 'Block 3' out");
   expectRefused(points, "give blocks, one for each solid");
 
-  const auto named = withRegions(balls, 1);
-  vtkNew<vtkStringArray> names;
-  names->SetName("Names");
-  names->SetNumberOfValues(named->GetNumberOfCells());
-  named->GetCellData()->AddArray(names);
-  labels->SetRegionArray("Names");
-  expectRefused(named, "'Names' holds text, and regions are integers: number its values in another "
-                       "array (SetRegionArray())");
   labels->SetRegionArray("Nothing");
   expectRefused(withRegions(balls, 1), "'Nothing' is no array of the cells");
   labels->SetRegionArray("Region");
+  labels->SetLabelOffset(-1);
   expectRefused(withRegions(balls, 0), "labels are 1 to 65535: choose another offset (" +
                                          howTo(winding::Parameter::labelOffset) + "); ");
-  expectRefused(withRegions(balls, 65532), "; region 65536 of 'Region'");
+  labels->SetLabelOffset(1);
+  expectRefused(withRegions(balls, 65531), "; region 65535 of 'Region'");
+  labels->SetLabelOffset(0);
   const auto broken = withRegions(balls, 1);
   vtkNew<vtkFloatArray> numbers;
   numbers->SetName("Region");

@@ -16,9 +16,9 @@ namespace winding
  * components, each of which may be inside out. Sets that are left open are joined where more than
  * two triangles meet: so rooms with a common wall are one component.
  *
- * What is closed then may be solids that touch, such as boxes on one another, with walls of their
- * own. Around an edge each solid lies between two triangles, by their angles (usesByAngle()). It is
- * divided into them where all are closed, which takes faces that look outward.
+ * A closed set may then be solids that touch, as boxes on one another, with walls of their own.
+ * Around an edge each solid lies between two triangles, by their angles (usesByAngle()). The set is
+ * divided into these solids where all are closed, which takes faces that look outward.
  *
  * Components are numbered in the order of their first triangles.
  */

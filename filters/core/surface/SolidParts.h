@@ -13,7 +13,7 @@ namespace winding
 /**
  * The solids that a surface is made of: its components (Components.h), each closed one that is
  * oriented inward and lies in others, as the wall of a cavity does (ClosedComponents.h), taken
- * together with the innermost of these. Solids that touch are told apart if they look outward.
+ * together with the innermost of these. Solids that touch are separate if they look outward.
  *
  * Solids are numbered by their triangles, most first, and by their lowest vertices where they have
  * as many: the numbers do not depend on the order of the triangles, except for solids that have

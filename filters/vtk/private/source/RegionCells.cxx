@@ -145,7 +145,8 @@ SolidCells solidCellsOf(vtkPolyData* surface, bool ignoresOpenParts, Executor& e
   InputViews views(surface, InputOptions(), &executor);
   const std::vector<TrianglesView> triangles = views.triangles();
   // The faces of the triangles that a surface keeps. Views have polygons first, then strips.
-  std::vector<vtkIdType> faces, unusable;
+  SolidCells result;
+  std::vector<vtkIdType> faces;
   PolygonParts parts;
   std::size_t view = 0, triangle = 0;
   forEachFace(surface,
@@ -168,7 +169,7 @@ SolidCells solidCellsOf(vtkPolyData* surface, bool ignoresOpenParts, Executor& e
       }
       if (isFirst)
       {
-        unusable.push_back(cell);
+        result.unusable.push_back(cell);
       }
     });
   const Surface clean = sanitize(triangles, executor);
@@ -189,7 +190,6 @@ SolidCells solidCellsOf(vtkPolyData* surface, bool ignoresOpenParts, Executor& e
       cells[solid].push_back(faces[i]);
     }
   }
-  SolidCells result;
   for (std::size_t solid = 0; solid < solids.count; ++solid)
   {
     if (!cells[solid].empty())
@@ -197,11 +197,6 @@ SolidCells solidCellsOf(vtkPolyData* surface, bool ignoresOpenParts, Executor& e
       result.cells.push_back(std::move(cells[solid]));
       result.isOpenPart.push_back(isOpenPart[solid]);
     }
-  }
-  if (!result.cells.empty())
-  {
-    // They are left out and counted where the field of the first solid is built.
-    result.cells[0].insert(result.cells[0].end(), unusable.begin(), unusable.end());
   }
   return result;
 }

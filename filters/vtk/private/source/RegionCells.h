@@ -23,6 +23,7 @@ struct SolidCells
 {
   std::vector<std::vector<vtkIdType>> cells; ///< by solid: polygons and strips, by their ids
   std::vector<char> isOpenPart;              ///< by solid: whether it is one of OpenParts.h
+  std::vector<vtkIdType> unusable;           ///< polygons without a usable triangle, of no solid
 };
 
 /// Finds the solids of a surface. Strips belong to one solid. `ignoresOpenParts` leaves out open

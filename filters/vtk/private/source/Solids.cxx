@@ -4,6 +4,7 @@
 #include "base/Refusal.h"
 #include "private/pipeline/VtkVersions.h"
 #include "private/source/CellChecks.h"
+#include "private/source/CellRegions.h"
 #include "private/source/ContentHash.h"
 #include "private/source/RegionCells.h"
 #include "private/source/SolidBlocks.h"
@@ -12,16 +13,15 @@
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
-#include "vtkPointData.h"
+#include "vtkFieldData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <set>
+#include <utility>
 
 namespace winding
 {
@@ -37,49 +37,6 @@ unsigned short labelOf(double number, const std::string& what, const Remedy& rem
       what + " would get " + std::to_string(static_cast<long long>(number))));
   }
   return static_cast<unsigned short>(number);
-}
-
-/// Returns the refusal of an array of regions.
-Refusal refusedRegions(const std::string& fault)
-{
-  return Refusal(Message(fault, {{"choose another array of regions", {Parameter::regionArray}}}));
-}
-
-/// The array of regions. Throws Refusal if there is none of that name, or not for all cells.
-vtkDataArray* regionsOf(vtkPointSet* data, const std::string& name)
-{
-  vtkDataArray* regions = data->GetCellData()->GetArray(name.c_str());
-  if (!regions && data->GetCellData()->HasArray(name.c_str()) != 0)
-  {
-    throw Refusal(Message("'" + name + "' holds text, and regions are integers",
-      {{"number its values in another array", {Parameter::regionArray}}}));
-  }
-  if (!regions)
-  {
-    const bool isOfPoints = data->GetPointData()->HasArray(name.c_str()) != 0;
-    throw refusedRegions(
-      "'" + name + "' is " +
-      (isOfPoints ? "an array of the points, not of the cells" : "no array of the cells"));
-  }
-  if (regions->GetNumberOfComponents() != 1 ||
-      regions->GetNumberOfTuples() < data->GetNumberOfCells())
-  {
-    throw refusedRegions("'" + name + "' has not one value for each cell");
-  }
-  return regions;
-}
-
-/// The region of a cell. Throws Refusal for what is no integer.
-int regionOf(vtkDataArray* regions, vtkIdType cell)
-{
-  const double value = regions->GetComponent(cell, 0);
-  if (!(std::abs(value) < 1e9) || value != std::floor(value))
-  {
-    throw refusedRegions("'" + std::string(regions->GetName()) + "' has the value " +
-                         std::to_string(value) + " at cell " + std::to_string(cell) +
-                         ", and regions are integers");
-  }
-  return static_cast<int>(value);
 }
 
 /// The data set as cells that regions can be made of: without ghosts, and with ids that may be
@@ -150,11 +107,11 @@ Solids::Solids(vtkDataObject* input, const SolidOptions& options, Ranks& ranks, 
     const bool isNone = options.regionArray == "None" && !data_->GetCellData()->HasArray("None");
     if (options.regionArray.empty() || isNone)
     {
-      this->addParts(data_, options, ranks, executor);
+      this->addParts(data_, input->GetFieldData(), options, ranks, executor);
     }
     else
     {
-      this->addRegions(data_, options, ranks);
+      this->addRegions(data_, input->GetFieldData(), options, ranks);
     }
   }
   this->makeNamesUnique();
@@ -179,39 +136,31 @@ void Solids::addBlocks(vtkDataObject* composite, Ranks& ranks)
   }
 }
 
-void Solids::addRegions(vtkPointSet* data, const SolidOptions& options, Ranks& ranks)
+void Solids::addRegions(
+  vtkPointSet* data, vtkFieldData* fields, const SolidOptions& options, Ranks& ranks)
 {
-  std::map<int, std::vector<vtkIdType>> cells;
-  std::vector<int> own;
-  ranks.agree(
-    [&]
-    {
-      const vtkIdType count = data->GetNumberOfCells();
-      vtkDataArray* regions = count > 0 ? regionsOf(data, options.regionArray) : nullptr;
-      const auto [first, last] = facesOf(data);
-      for (vtkIdType cell = first; cell < last; ++cell)
-      {
-        cells[regionOf(regions, cell)].push_back(cell);
-      }
-      for (const auto& [region, ids] : cells)
-      {
-        own.push_back(region);
-      }
-    });
-  const std::vector<int> ofAll = ranks.gather(own, false).numbers;
-  for (const int region : std::set<int>(ofAll.begin(), ofAll.end()))
+  const auto [first, last] = facesOf(data);
+  CellRegions regions(data, first, last, options.regionArray, fields, ranks);
+  const std::vector<int>& values = regions.values();
+  const bool areLabels = !values.empty() && values.front() + options.labelOffset >= 1 &&
+                         values.back() + options.labelOffset <= largestLabel;
+  areNumbered_ = !values.empty() && !areLabels && options.labelOffset == 0;
+  const bool areCounted = values.empty() || areNumbered_;
+  for (std::size_t i = 0; i < regions.size(); ++i)
   {
-    const std::string name = options.regionArray + " " + std::to_string(region);
-    labels_.push_back(labelOf(static_cast<double>(region) + options.labelOffset,
-      "region " + std::to_string(region) + " of '" + options.regionArray + "'",
-      {"choose another offset", {Parameter::labelOffset}}));
-    names_.push_back(name);
-    parts_.cells.push_back(std::move(cells[region]));
+    const std::string what =
+      areCounted ? "region '" + regions.names()[i] + "'"
+                 : "region " + std::to_string(values[i]) + " of '" + options.regionArray + "'";
+    labels_.push_back(labelOf(areCounted ? static_cast<double>(i + 1)
+                                         : static_cast<double>(values[i]) + options.labelOffset,
+      what, {"choose another offset", {Parameter::labelOffset}}));
   }
+  names_ = regions.names();
+  parts_.cells = regions.takeCells();
 }
 
-void Solids::addParts(
-  vtkPointSet* data, const SolidOptions& options, Ranks& ranks, Executor& executor)
+void Solids::addParts(vtkPointSet* data, vtkFieldData* fields, const SolidOptions& options,
+  Ranks& ranks, Executor& executor)
 {
   if (!ranks.isAlone() && !isWhole(data, ranks))
   {
@@ -219,18 +168,56 @@ void Solids::addParts(
       {{"name an array of regions", {Parameter::regionArray}}, {"give blocks", {}},
         {"give one rank the whole surface", {}}}));
   }
-  const std::vector<Ranks::Number> counts = ranks.allGather(
-    [&]() -> Ranks::Number
+  std::vector<std::string> names;
+  ranks.agree(
+    [&]
     {
       this->findParts(data, options, executor);
-      return parts_.cells.size();
+      names = this->nameParts(fields);
+      if (!parts_.cells.empty())
+      {
+        // They are left out and counted where the field of the first solid is built.
+        std::vector<vtkIdType>& first = parts_.cells[0];
+        first.insert(first.end(), parts_.unusable.begin(), parts_.unusable.end());
+      }
     });
-  parts_.cells.resize(static_cast<std::size_t>(*std::max_element(counts.begin(), counts.end())));
-  for (std::size_t i = 1; i <= parts_.cells.size(); ++i)
+  // Ranks that have the surface have the same names, and others have none.
+  const auto counts = ranks.allGather([&]() -> Ranks::Number { return names.size(); });
+  const std::vector<std::string> ofAll = gatherTexts(names, ranks);
+  const auto count = static_cast<std::size_t>(*std::max_element(counts.begin(), counts.end()));
+  names_.assign(ofAll.begin(), ofAll.begin() + static_cast<std::ptrdiff_t>(count));
+  parts_.cells.resize(count);
+  for (std::size_t i = 1; i <= count; ++i)
   {
     labels_.push_back(static_cast<unsigned short>(i));
-    names_.push_back("Part " + std::to_string(i));
   }
+}
+
+/// Returns the names of the parts, once parts that the file names alike are one.
+std::vector<std::string> Solids::nameParts(vtkFieldData* fields)
+{
+  std::vector<std::string> names;
+  if (const auto named = namesOfParts(data_, fields, parts_.cells, dividingNames_))
+  {
+    SolidCells solids;
+    solids.unusable = std::move(parts_.unusable);
+    solids.cells.resize(named->names.size());
+    solids.isOpenPart.resize(named->names.size(), 1);
+    for (std::size_t part = 0; part < parts_.cells.size(); ++part)
+    {
+      const std::size_t solid = named->ofPart[part];
+      const std::vector<vtkIdType>& cells = parts_.cells[part];
+      solids.cells[solid].insert(solids.cells[solid].end(), cells.begin(), cells.end());
+      solids.isOpenPart[solid] &= parts_.isOpenPart[part];
+    }
+    parts_ = std::move(solids);
+    return named->names;
+  }
+  for (std::size_t i = 1; i <= parts_.cells.size(); ++i)
+  {
+    names.push_back("Part " + std::to_string(i));
+  }
+  return names;
 }
 
 /// Finds the cells of the parts that this rank has: of all, or of none.

@@ -12,6 +12,7 @@
 #include <vector>
 
 class vtkDataObject;
+class vtkFieldData;
 class vtkPointSet;
 
 namespace winding
@@ -39,14 +40,17 @@ struct SolidOptions
  *   are not there count, so that labels stay the same over time; the pieces of a multi-piece are
  *   one solid. Of a vtkPartitionedDataSetCollection every partitioned data set is one; of any other
  *   composite every leaf. Labels are their numbers, from 1 on.
- * - Of a single data set every region is a solid: the cells with one value of the array, whose
- *   label is the value and the offset. Regions of polydata are of polygons and strips; regions of
- *   other data sets have their own outer surfaces.
- * - Without an array the regions of a single data set are its solids by connectivity
- *   (SolidParts.h), with the labels 1, 2, ….
+ * - Of a single data set every region is a solid: the cells with one value of the array
+ *   (CellRegions.h). The label of an integer is the value and the offset. Where these are not all
+ *   labels and the offset is 0, and for texts, labels are 1, 2, … in the order of the values.
+ *   Regions of polydata are of polygons and strips; regions of other data sets have their own outer
+ *   surfaces.
+ * - Without an array the solids of a single data set are its parts by connectivity
+ *   (SolidParts.h), with the labels 1, 2, …. Parts that their file names alike are one
+ *   (namesOfParts()), and then come in the order of the names.
  *
- * Names are the blocks', "Block n" where there is none, or the array's and the
- * region. A name that occurs again gets a number.
+ * Names are the blocks' or the file's, "Block n" or "Part n" where there is none, the texts of
+ * regions, or the array's and the region. A name that occurs again gets a number.
  *
  * The ranks of a parallel program have parts of all solids: as many blocks each, or any part of the
  * cells with their regions. Parts by connectivity belong to a surface that one rank has, or all
@@ -65,6 +69,12 @@ public:
   /// The number of names that had to be changed.
   std::size_t repeatedNames() const { return repeatedNames_; }
 
+  /// Whether labels are 1, 2, … for regions that could be none.
+  bool areNumbered() const { return areNumbered_; }
+
+  /// The array of a file's names that are not used, for they divide parts; empty for none.
+  const std::string& dividingNames() const { return dividingNames_; }
+
   /// Counts of the cells of a single data set; blocks are looked at as sources.
   const CellCounts& cellCounts() const { return counts_; }
 
@@ -79,14 +89,19 @@ public:
 
 private:
   void addBlocks(vtkDataObject* composite, Ranks& ranks);
-  void addRegions(vtkPointSet* data, const SolidOptions& options, Ranks& ranks);
-  void addParts(vtkPointSet* data, const SolidOptions& options, Ranks& ranks, Executor& executor);
+  void addRegions(
+    vtkPointSet* data, vtkFieldData* fields, const SolidOptions& options, Ranks& ranks);
+  void addParts(vtkPointSet* data, vtkFieldData* fields, const SolidOptions& options, Ranks& ranks,
+    Executor& executor);
+  std::vector<std::string> nameParts(vtkFieldData* fields);
   void findParts(vtkPointSet* data, const SolidOptions& options, Executor& executor);
   void makeNamesUnique();
 
   std::vector<unsigned short> labels_;
   std::vector<std::string> names_;
   std::size_t repeatedNames_ = 0;
+  bool areNumbered_ = false;
+  std::string dividingNames_;
   CellCounts counts_;
 
   std::vector<vtkSmartPointer<vtkDataObject>> blocks_; ///< none for regions

@@ -1,0 +1,242 @@
+#include "private/source/CellRegions.h"
+
+#include "base/Parameter.h"
+#include "base/Refusal.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Returns the refusal of an array of regions.
+Refusal refusedRegions(const std::string& fault)
+{
+  return Refusal(Message(fault, {{"choose another array of regions", {Parameter::regionArray}}}));
+}
+
+/// The array of regions. Throws Refusal if there is none of that name, or not for all cells.
+vtkAbstractArray* regionsOf(vtkPointSet* data, const std::string& name)
+{
+  vtkAbstractArray* regions = data->GetCellData()->GetAbstractArray(name.c_str());
+  if (!regions)
+  {
+    const bool isOfPoints = data->GetPointData()->HasArray(name.c_str()) != 0;
+    throw refusedRegions(
+      "'" + name + "' is " +
+      (isOfPoints ? "an array of the points, not of the cells" : "no array of the cells"));
+  }
+  if (regions->GetNumberOfComponents() != 1 ||
+      regions->GetNumberOfTuples() < data->GetNumberOfCells())
+  {
+    throw refusedRegions("'" + name + "' has not one value for each cell");
+  }
+  if (!vtkDataArray::SafeDownCast(regions) && !vtkStringArray::SafeDownCast(regions))
+  {
+    throw refusedRegions("'" + name + "' holds neither integers nor texts");
+  }
+  return regions;
+}
+
+/// The region of a cell. Throws Refusal for what is no integer.
+int regionOf(vtkDataArray* regions, vtkIdType cell)
+{
+  const double value = regions->GetComponent(cell, 0);
+  if (!(std::abs(value) < 1e9) || value != std::floor(value))
+  {
+    throw refusedRegions("'" + std::string(regions->GetName()) + "' has the value " +
+                         std::to_string(value) + " at cell " + std::to_string(cell) +
+                         ", and regions are integers");
+  }
+  return static_cast<int>(value);
+}
+
+/// The names of an array of regions "…Ids"; null if there are none.
+vtkStringArray* namesOfIds(vtkFieldData* fields, const std::string& array)
+{
+  const std::string ending = "Ids";
+  if (!fields || array.size() < ending.size() ||
+      array.compare(array.size() - ending.size(), ending.size(), ending) != 0)
+  {
+    return nullptr;
+  }
+  const std::string names = array.substr(0, array.size() - ending.size()) + "Names";
+  return vtkStringArray::SafeDownCast(fields->GetAbstractArray(names.c_str()));
+}
+
+std::string nameOf(int value, const std::string& array, vtkStringArray* names)
+{
+  const std::string name =
+    names && value >= 0 && value < names->GetNumberOfValues() ? names->GetValue(value) : "";
+  return name.empty() ? array + " " + std::to_string(value) : name;
+}
+
+} // namespace
+
+CellRegions::CellRegions(vtkPointSet* data, vtkIdType first, vtkIdType last,
+  const std::string& array, vtkFieldData* fields, Ranks& ranks)
+{
+  vtkAbstractArray* regions = nullptr;
+  const auto kinds = ranks.allGather(
+    [&]() -> Ranks::Number
+    {
+      regions = data->GetNumberOfCells() > 0 ? regionsOf(data, array) : nullptr;
+      return !regions ? 0 : vtkStringArray::SafeDownCast(regions) ? 1 : 2;
+    });
+  const bool areTexts = std::count(kinds.begin(), kinds.end(), 1) > 0;
+  if (areTexts && std::count(kinds.begin(), kinds.end(), 2) > 0)
+  {
+    throw refusedRegions("'" + array + "' holds texts on some ranks, integers on others");
+  }
+  if (areTexts)
+  {
+    this->findTexts(vtkStringArray::SafeDownCast(regions), first, last, ranks);
+  }
+  else
+  {
+    this->findIntegers(vtkDataArray::SafeDownCast(regions), first, last, array, fields, ranks);
+  }
+}
+
+void CellRegions::findTexts(vtkStringArray* texts, vtkIdType first, vtkIdType last, Ranks& ranks)
+{
+  std::map<std::string, std::vector<vtkIdType>> cells;
+  for (vtkIdType cell = first; texts && cell < last; ++cell)
+  {
+    cells[texts->GetValue(cell)].push_back(cell);
+  }
+  std::vector<std::string> own;
+  for (const auto& [text, ids] : cells)
+  {
+    own.push_back(text);
+  }
+  const std::vector<std::string> ofAll = gatherTexts(own, ranks);
+  for (const std::string& text : std::set<std::string>(ofAll.begin(), ofAll.end()))
+  {
+    names_.push_back(text.empty() ? "(no text)" : text);
+    cells_.push_back(std::move(cells[text]));
+  }
+}
+
+void CellRegions::findIntegers(vtkDataArray* integers, vtkIdType first, vtkIdType last,
+  const std::string& array, vtkFieldData* fields, Ranks& ranks)
+{
+  std::map<int, std::vector<vtkIdType>> cells;
+  std::vector<int> own;
+  std::vector<std::string> names;
+  ranks.agree(
+    [&]
+    {
+      for (vtkIdType cell = first; integers && cell < last; ++cell)
+      {
+        cells[regionOf(integers, cell)].push_back(cell);
+      }
+      for (const auto& [region, ids] : cells)
+      {
+        own.push_back(region);
+        names.push_back(nameOf(region, array, namesOfIds(fields, array)));
+      }
+    });
+  const std::vector<int> ofAll = ranks.gather(own, false).numbers;
+  const std::vector<std::string> namesOfAll = gatherTexts(names, ranks);
+  std::map<int, std::string> regions;
+  for (std::size_t i = 0; i < ofAll.size(); ++i)
+  {
+    regions.emplace(ofAll[i], namesOfAll[i]);
+  }
+  for (const auto& [region, name] : regions)
+  {
+    values_.push_back(region);
+    names_.push_back(name);
+    cells_.push_back(std::move(cells[region]));
+  }
+}
+
+std::optional<NamedParts> namesOfParts(vtkPointSet* surface, vtkFieldData* fields,
+  const std::vector<std::vector<vtkIdType>>& parts, std::string& divides)
+{
+  for (const std::string kind : {"Object", "Solid", "Group", "Material"})
+  {
+    const std::string array = kind + "Ids";
+    vtkDataArray* const ids = surface->GetCellData()->GetArray(array.c_str());
+    vtkStringArray* const names = namesOfIds(fields, array);
+    if (!ids || !names || ids->GetNumberOfTuples() < surface->GetNumberOfCells())
+    {
+      continue;
+    }
+    std::vector<int> ofPart;
+    std::set<int> regions;
+    bool isDivided = false;
+    for (const std::vector<vtkIdType>& cells : parts)
+    {
+      ofPart.push_back(regionOf(ids, cells[0]));
+      regions.insert(ofPart.back());
+      isDivided =
+        isDivided || std::any_of(cells.begin(), cells.end(),
+                       [&](vtkIdType cell) { return regionOf(ids, cell) != ofPart.back(); });
+    }
+    if (isDivided)
+    {
+      divides = divides.empty() ? array : divides;
+      continue;
+    }
+    if (regions.size() < 2 || (kind == "Material" && regions.size() < parts.size()))
+    {
+      continue;
+    }
+    NamedParts result;
+    for (const int region : regions)
+    {
+      result.names.push_back(nameOf(region, kind, names));
+    }
+    for (const int region : ofPart)
+    {
+      result.ofPart.push_back(
+        static_cast<std::size_t>(std::distance(regions.begin(), regions.find(region))));
+    }
+    return result;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> gatherTexts(const std::vector<std::string>& own, Ranks& ranks)
+{
+  if (ranks.isAlone())
+  {
+    return own;
+  }
+  std::vector<int> letters;
+  for (const std::string& text : own)
+  {
+    letters.insert(letters.end(), text.begin(), text.end());
+    letters.push_back('\0');
+  }
+  std::vector<std::string> all(1);
+  for (const int letter : ranks.gather(letters, false).numbers)
+  {
+    if (letter == '\0')
+    {
+      all.emplace_back();
+    }
+    else
+    {
+      all.back() += static_cast<char>(letter);
+    }
+  }
+  all.pop_back();
+  return all;
+}
+
+} // namespace winding
