@@ -41,6 +41,16 @@ struct winding_mesh
     std::vector<const char*> pointers; ///< to the texts, once they stay where they are
   };
   std::vector<Column> columns;
+
+  /// Regions of one kind.
+  struct Regions
+  {
+    const char* kind;
+    std::vector<std::string> names;
+    std::vector<const char*> pointers; ///< to the names, once they stay where they are
+    winding::UninitializedVector<std::int32_t> ofPolygon;
+  };
+  std::vector<Regions> regions;
 };
 
 namespace winding::c

@@ -254,6 +254,16 @@ void takePoints(const winding::MeshArrays& arrays, winding_mesh& mesh)
   copy(arrays.textureCoordinates, mesh.textureCoordinates);
 }
 
+std::vector<const char*> pointersTo(const std::vector<std::string>& texts)
+{
+  std::vector<const char*> pointers;
+  for (const std::string& text : texts)
+  {
+    pointers.push_back(text.c_str());
+  }
+  return pointers;
+}
+
 /// Gives a mesh the columns of a table.
 void takeColumns(const winding::PointTable& table, ColumnTexts& texts, winding_mesh& mesh)
 {
@@ -267,10 +277,25 @@ void takeColumns(const winding::PointTable& table, ColumnTexts& texts, winding_m
   }
   for (winding_mesh::Column& column : mesh.columns)
   {
-    for (const std::string& text : column.texts)
-    {
-      column.pointers.push_back(text.c_str());
-    }
+    column.pointers = pointersTo(column.texts);
+  }
+}
+
+/// Gives a mesh the polygons of a file, and their regions.
+void takePolygons(winding::MeshArrays& arrays, winding_mesh& mesh)
+{
+  copy(arrays.polygons.offsets, mesh.offsets);
+  copy(arrays.polygons.connectivity, mesh.corners);
+  for (winding::NamedRegions& from : arrays.regions)
+  {
+    winding_mesh::Regions& to = mesh.regions.emplace_back();
+    to.kind = from.kind;
+    to.names = std::move(from.names);
+    copy(from.ofPolygon, to.ofPolygon);
+  }
+  for (winding_mesh::Regions& regions : mesh.regions)
+  {
+    regions.pointers = pointersTo(regions.names);
   }
 }
 
@@ -450,6 +475,7 @@ winding_status winding_mesh_show(
       to.color_components = from.colorComponents;
       to.texture_coordinates = pointerTo(from.textureCoordinates);
       to.column_count = static_cast<int64_t>(from.columns.size());
+      to.regions_count = static_cast<int64_t>(from.regions.size());
       give(to, required(arrays, "arrays"));
     });
 }
@@ -465,11 +491,10 @@ winding_status winding_read(
   return readFile(path, run, mesh, refusal,
     [](const winding::InputFile& file, Call& call, winding_mesh& made)
     {
-      const winding::MeshArrays arrays = readMesh(file, call.executor);
+      winding::MeshArrays arrays = readMesh(file, call.executor);
       call.warn(arrays.notes);
       takePoints(arrays, made);
-      copy(arrays.polygons.offsets, made.offsets);
-      copy(arrays.polygons.connectivity, made.corners);
+      takePolygons(arrays, made);
     });
 }
 
@@ -514,6 +539,32 @@ winding_status winding_mesh_column(
       to.numbers = found.texts.empty() ? found.numbers.data() : nullptr;
       to.texts = found.texts.empty() ? nullptr : found.pointers.data();
       give(to, required(column, "column"));
+    });
+}
+
+void winding_regions_init(winding_regions* regions, size_t size)
+{
+  fill(regions, size, winding_regions());
+}
+
+winding_status winding_mesh_regions(
+  const winding_mesh* mesh, int64_t index, winding_regions* regions, winding_refusal* refusal)
+{
+  return guarded(nullptr, refusal,
+    [&]
+    {
+      const winding_mesh& from = required(mesh, "mesh");
+      if (index < 0 || index >= static_cast<int64_t>(from.regions.size()))
+      {
+        throw Misuse("index is not less than regions_count");
+      }
+      const winding_mesh::Regions& found = from.regions[static_cast<std::size_t>(index)];
+      winding_regions to = {};
+      to.kind = found.kind;
+      to.count = static_cast<int64_t>(found.names.size());
+      to.names = found.pointers.data();
+      to.of_polygon = pointerTo(found.ofPolygon);
+      give(to, required(regions, "regions"));
     });
 }
 

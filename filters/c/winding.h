@@ -488,6 +488,7 @@ extern "C"
     const uint8_t* colors;            /**< color_components for each point */
     int32_t color_components;         /**< 3, or 4 with opacity */
     const float* texture_coordinates; /**< two for each point */
+    int64_t regions_count;            /**< of winding_mesh_regions() */
   } winding_mesh_arrays;
 
   /**
@@ -947,6 +948,36 @@ extern "C"
    */
   WINDING_API winding_status winding_mesh_column(
     const winding_mesh* mesh, int64_t index, winding_column* column, winding_refusal* refusal);
+
+  /** Regions of one kind that a file names, which belong to their mesh. */
+  typedef struct winding_regions
+  {
+    uint32_t size;             /**< bytes of the struct that its caller knows */
+    const char* kind;          /**< Object, Group, Material or Solid */
+    int64_t count;             /**< of regions, 2 or more */
+    const char* const* names;  /**< one each, in UTF-8; empty for polygons without a name */
+    const int32_t* of_polygon; /**< for each polygon its region, from 0 on */
+  } winding_regions;
+
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param regions the struct; null is left alone
+   * @param size sizeof of the struct
+   */
+  WINDING_API void winding_regions_init(winding_regions* regions, size_t size);
+
+  /**
+   * Shows the regions of one kind that a file names: the objects (o), groups (g) and materials
+   * (usemtl) of .obj, the solids of .stl. They live until winding_mesh_free().
+   *
+   * @param mesh the mesh
+   * @param index less than regions_count
+   * @param regions receives the pointers; its size is set
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_mesh_regions(
+    const winding_mesh* mesh, int64_t index, winding_regions* regions, winding_refusal* refusal);
 
   /** How near a surface is to the source that it was made of. */
   typedef struct winding_fidelity

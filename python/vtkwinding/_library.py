@@ -23,6 +23,7 @@ from ._errors import (
     levels_above_package,
 )
 from ._interrupt import Interrupt
+from ._regions import Regions
 
 ABI = 1
 PYTHON_WORDS, PARAVIEW_WORDS = 1, 2
@@ -122,13 +123,20 @@ class MeshArrays(Sized):
                 ("line_offsets", ctypes.c_void_p), ("line_corners", ctypes.c_void_p),
                 ("vertex_count", _int64), ("vertex_offsets", ctypes.c_void_p),
                 ("vertex_corners", ctypes.c_void_p), ("colors", ctypes.c_void_p),
-                ("color_components", _int32), ("texture_coordinates", ctypes.c_void_p)]
+                ("color_components", _int32), ("texture_coordinates", ctypes.c_void_p),
+                ("regions_count", _int64)]
 
 
 class Column(Sized):
     _init_ = "winding_column_init"
     _fields_ = [("size", ctypes.c_uint32), ("name", ctypes.c_char_p),
                 ("numbers", ctypes.c_void_p), ("texts", ctypes.POINTER(ctypes.c_char_p))]
+
+
+class RegionNames(Sized):
+    _init_ = "winding_regions_init"
+    _fields_ = [("size", ctypes.c_uint32), ("kind", ctypes.c_char_p), ("count", _int64),
+                ("names", ctypes.POINTER(ctypes.c_char_p)), ("of_polygon", ctypes.c_void_p)]
 
 
 class Verification(Sized):
@@ -378,11 +386,25 @@ def arrays_of(mesh):
         "labels": view(arrays.labels, np.uint16, polygons, 2),
         "numbers": view(arrays.numbers, np.int64, polygons),
         "column_count": arrays.column_count,
+        "regions": _regions_of(mesh, arrays),
         "lines": cells(arrays.line_corners, arrays.line_offsets, arrays.line_count),
         "vertices": cells(arrays.vertex_corners, arrays.vertex_offsets, arrays.vertex_count),
         "colors": view(arrays.colors, np.uint8, points, arrays.color_components),
         "texture_coordinates": view(arrays.texture_coordinates, np.float32, points, 2),
     }
+
+
+def _regions_of(mesh, arrays):
+    """The regions that a file names, by their kinds."""
+    found = {}
+    for index in range(arrays.regions_count):
+        one = RegionNames()
+        call("winding_mesh_regions", mesh.pointer, _int64(index), ctypes.byref(one))
+        pointer = ctypes.cast(one.of_polygon, ctypes.POINTER(_int32))
+        found[one.kind.decode()] = Regions(
+            np.ctypeslib.as_array(pointer, (arrays.polygon_count,)).copy(),
+            [one.names[number].decode(errors="replace") for number in range(one.count)])
+    return found
 
 
 def columns_of(mesh, count):

@@ -25,6 +25,7 @@ from numpy.typing import ArrayLike
 from . import _clouds, _datasets, _grids, _images, _library, _options, _parts, _voxels, fields
 from ._errors import WindingError
 from ._progress import bar
+from ._regions import KINDS, Regions, name_of, names_of_parts
 from ._signatures import SourceOptions, spelled_out
 from ._sources import DEFAULTS, SourceField, kept_polygons, source_of, turned_polygons
 
@@ -428,10 +429,11 @@ class WindingAccessor:
 
         The solids are the blocks of a MultiBlock, with the labels 1, 2, ... by their places, else the
         values of the cell array `scalars`, which are the labels themselves if they are integers of
-        1 to 65535, or the bodies that the mesh has. The field data has 'LabelNames' and
-        'LabelValues'. The
-        grid is that of field(). overlap: 'first', 'last', 'largest' (winding number) or 'smallest'
-        (volume) wins. coverage: 'center', 'any' or 'fraction' (half) of a voxel has to be inside.
+        1 to 65535, or the bodies that the mesh has; bodies that cell arrays 'ObjectIds', 'SolidIds',
+        'GroupIds' or 'MaterialIds' name alike, with 'ObjectNames' and so on in the field data, are
+        one. The field data of the result has 'LabelNames' and 'LabelValues'. The grid is that of
+        field(). overlap: 'first', 'last', 'largest' (winding number) or 'smallest' (volume) wins.
+        coverage: 'center', 'any' or 'fraction' (half) of a voxel has to be inside.
         """
         _check_source("the mesh", self._mesh)
         rule = _options.choice("overlap", overlap, _options.OVERLAPS)
@@ -473,12 +475,21 @@ class WindingAccessor:
                           ctypes.byref(source.polygons()), _library.RUN,
                           ctypes.c_void_p(of_polygons.ctypes.data), ctypes.byref(count))
             values, names = np.arange(count.value), [f"Solid {i + 1}" for i in range(count.value)]
+            named, its_names, divides = names_of_parts(self._regions(source), of_polygons)
+            if named is not None:
+                values, names, of_polygons = np.arange(len(its_names)), its_names, named
+            elif divides:
+                _library.warn("the file's own names divide solids, which are parts by connectivity: "
+                              f"label what has names (scalars='{divides}Ids')")
         else:
             array = source.leaves[0].cell_array(_options.text("scalars", scalars))
             if array.ndim != 1:
                 raise ValueError(f"scalars must have one component, not {array.shape[1]}")
             values, of_polygons = np.unique(array, return_inverse=True)
-            names = [str(value) for value in values]
+            kind = scalars[:-3] if scalars.endswith("Ids") else scalars
+            own = list(map(str, mesh.field_data.get(f"{kind}Names", [])))
+            names = [name_of(scalars, value, own) if own else str(value)
+                     for value in values.tolist()]
         if len(values) > _MOST_LABELS:
             raise WindingError(f"there are {len(values)} solids, and labels are 1 to "
                                f"{_MOST_LABELS}: leave some out, or name regions (scalars=)")
@@ -492,6 +503,15 @@ class WindingAccessor:
             solids.append((name, int(values[number]) if is_own else number + 1,
                            _polydata(source.points[used], ids, offsets)))
         return solids
+
+    def _regions(self, source):
+        """The regions that arrays of this mesh name, as readers give them."""
+        found = {}
+        for kind in KINDS:
+            if f"{kind}Ids" in self._mesh.cell_data and f"{kind}Names" in self._mesh.field_data:
+                found[kind] = Regions(source.leaves[0].cell_array(f"{kind}Ids"),
+                                      list(map(str, self._mesh.field_data[f"{kind}Names"])))
+        return found
 
     def report(self, *, normals_array: str | None = None, surface_cells: bool = False,
                progress_bar: bool = False) -> dict[str, Any]:

@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _grids, _library, _numbers, _options
 from ._errors import WindingError
+from ._regions import Regions
 
 FloatArray = NDArray[np.floating]
 BoolArray = NDArray[np.bool_]
@@ -558,12 +559,15 @@ def point_areas(vertices: ArrayLike, normals: ArrayLike, *,
 
 
 class Mesh(NamedTuple):
-    """The content of a file. Polygons are cut into triangles; faces are None for a cloud."""
+    """The content of a file. Polygons are cut into triangles; faces are None for a cloud. regions
+    has what the file names, by 'Object', 'Group', 'Material' and 'Solid': numbers of_faces (F,) and
+    their names."""
 
     vertices: FloatArray
     faces: IdArray | None
     normals: FloatArray | None
     areas: FloatArray | None
+    regions: dict[str, Regions] = {}
 
 
 def read(path: str | os.PathLike[str]) -> Mesh:
@@ -577,12 +581,15 @@ def read(path: str | os.PathLike[str]) -> Mesh:
                   ctypes.byref(handle.pointer))
     arrays = _library.arrays_of(handle)
     points = arrays["points"]
-    faces = None
+    faces, regions = None, {}
     if arrays["offsets"] is not None and len(arrays["offsets"]) > 1:
-        corners = arrays["corners"]
-        faces = _fans(arrays["offsets"], np.empty(0, np.int64) if corners is None else corners)
+        corners, offsets = arrays["corners"], arrays["offsets"]
+        faces = _fans(offsets, np.empty(0, np.int64) if corners is None else corners)
+        triangles = np.maximum(np.diff(offsets) - 2, 0)
+        regions = {kind: Regions(np.repeat(found.of_faces, triangles), found.names)
+                   for kind, found in arrays["regions"].items()}
     return Mesh(np.empty((0, 3)) if points is None else points, faces, arrays["point_normals"],
-                arrays["point_areas"])
+                arrays["point_areas"], regions)
 
 
 def _fans(offsets, corners):

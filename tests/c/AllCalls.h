@@ -28,8 +28,8 @@ struct Arguments
     , rule(with(winding_rule_init))
     , options(with(winding_options_init))
     , run(with(winding_run_init))
-    , meshFile(
-        "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", ".off")
+    , meshFile("o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\no b\nf 1 4 3\nf 2 3 4\n",
+        ".obj")
     , tableFile("x,y,z,nx,ny,nz,mark\n1,2,3,1,0,0,9\n4,5,6,0,1,0,8\n", ".csv")
     , readMesh(nullptr, winding_mesh_free)
     , readTable(nullptr, winding_mesh_free)
@@ -247,6 +247,12 @@ inline const Call allCalls[] = {
     {
       auto column = with(winding_column_init);
       return winding_mesh_column(a.readTable.get(), 0, &column, &a.refusal);
+    }},
+  {"winding_mesh_regions",
+    [](Arguments& a)
+    {
+      auto regions = with(winding_regions_init);
+      return winding_mesh_regions(a.readMesh.get(), 0, &regions, &a.refusal);
     }},
   {"winding_compare",
     [](Arguments& a)

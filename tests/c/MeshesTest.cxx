@@ -186,6 +186,19 @@ TEST(Files, AreReadWithNormalsAndNotes)
   EXPECT_EQ(show(square).polygon_count, 1);
   EXPECT_EQ(show(square).corners[3], 3);
 
+  const OwnedMesh named = read("named.obj",
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl red\nf 1 2 3\ng wing\nf 1 3 2\nf 1 2 3\n", told);
+  ASSERT_EQ(show(named).regions_count, 1);
+  auto regions = with(winding_regions_init);
+  ASSERT_EQ(winding_mesh_regions(named.get(), 0, &regions, nullptr), WINDING_OK);
+  EXPECT_STREQ(regions.kind, "Group");
+  ASSERT_EQ(regions.count, 2);
+  EXPECT_STREQ(regions.names[0], "");
+  EXPECT_STREQ(regions.names[1], "wing");
+  EXPECT_EQ(std::vector<std::int32_t>(regions.of_polygon, regions.of_polygon + 3),
+    (std::vector<std::int32_t>{0, 1, 1}));
+  EXPECT_EQ(winding_mesh_regions(named.get(), 1, &regions, nullptr), WINDING_MISUSED);
+
   const OwnedMesh points = read("points.xyz", "0 0 0 1 0 0\n1 2 3 0 1 0\n", told);
   EXPECT_EQ(show(points).point_count, 2);
   ASSERT_NE(show(points).point_normals, nullptr);

@@ -1,5 +1,7 @@
 """The filter Winding Number Labels in ParaView, and the surface between labels."""
 import math
+import pathlib
+import tempfile
 import unittest
 
 from paraview import simple
@@ -42,6 +44,38 @@ class TestLabels(unittest.TestCase):
         names = result(labels).GetFieldData().GetAbstractArray("LabelNames")
         self.assertEqual([names.GetValue(i) for i in range(3)], list(BALLS))
         self.assertEqual(labels.SMProxy.GetProperty("NumberOfSolids").GetElement(0), 3)
+
+    def test_several_inputs_have_a_label_each(self):
+        expected = values_of(result(
+            simple.WindingNumberLabels(Input=self.assembly(), Resolution=24)).GetPointData())
+        sources = [simple.Sphere(registrationName=name, Center=place[:3], Radius=place[3],
+                                 ThetaResolution=32, PhiResolution=24)
+                   for name, place in BALLS.items()]
+        labels = simple.WindingNumberLabels(Input=sources, Resolution=24)
+        image = result(labels)
+        self.assertEqual(values_of(image.GetPointData()), expected)
+        names = image.GetFieldData().GetAbstractArray("LabelNames")
+        self.assertEqual([names.GetValue(i) for i in range(3)], list(BALLS))
+        labels.Input = sources[:2]
+        self.assertEqual(result(labels).GetFieldData().GetAbstractArray(
+            "LabelNames").GetNumberOfValues(), 2)
+
+    def test_names_of_the_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "boxes.obj")
+            lines, first = [], 1
+            for name, x in (("bone", 0), ("nail", 1), ("plate", 3)):
+                lines.append(f"o {name}")
+                lines += [f"v {x + i % 2} {i // 2 % 2} {i // 4}" for i in range(8)]
+                lines += ["f " + " ".join(str(first + int(corner)) for corner in face) for face in
+                          ("0231", "4576", "0154", "2673", "0462", "1375")]
+                first += 8
+            path.write_text("\n".join(lines) + "\n")
+            mesh = simple.SurfaceMeshReader(FileName=str(path))
+            image = result(simple.WindingNumberLabels(Input=mesh, Resolution=16))
+        names = image.GetFieldData().GetAbstractArray("LabelNames")
+        self.assertEqual([names.GetValue(i) for i in range(3)], ["bone", "nail", "plate"])
+        self.assertEqual(set(values_of(image.GetPointData())), {0, 1, 2, 3})
 
     def test_regions_and_parts_of_one_surface(self):
         merged = simple.MergeBlocks(Input=self.assembly(), OutputDataSetType="Polygonal Mesh")

@@ -135,6 +135,25 @@ def of_source(name, mesh, is_cloud):
     note(f"{name} equal areas", simple.PointAreas(Input=mesh, PointAreaMethod="Constant"))
 
 
+# Names of two objects, the second of which has two of three balls, and a text for each.
+NAMES = """
+from vtkmodules.vtkCommonCore import vtkIntArray, vtkStringArray
+output.ShallowCopy(inputs[0].VTKObject)
+count = output.GetNumberOfCells()
+ids, texts, names = vtkIntArray(), vtkStringArray(), vtkStringArray()
+for array, name in ((ids, "ObjectIds"), (texts, "Text"), (names, "ObjectNames")):
+    array.SetName(name)
+for cell in range(count):
+    ids.InsertNextValue(0 if 3 * cell < count else 1)
+    texts.InsertNextValue("ball " + "cab"[3 * cell // count])
+names.InsertNextValue("first")
+names.InsertNextValue("")
+output.GetCellData().AddArray(ids)
+output.GetCellData().AddArray(texts)
+output.GetFieldData().AddArray(names)
+"""
+
+
 def of_solids(name, source, **properties):
     for rule in ("First", "Last", "Largest Winding Number", "Smallest Volume"):
         note(f"{name} {rule}", simple.WindingNumberLabels(
@@ -162,6 +181,11 @@ def run(folder):
     assert found[found["active"]] == facts["whole"]["outputs"][0]["points"]["WindingNumber"]
     balls = [simple.Sphere(Center=(x, 0, 0), Radius=r, ThetaResolution=24, PhiResolution=24)
              for x, r in ((0, 1), (0.8, 1), (0, 0.4))]
+    of_solids("inputs", balls)
+    names = simple.ProgrammableFilter(Input=simple.AppendGeometry(Input=balls), Script=NAMES)
+    of_solids("names", names)
+    of_solids("ids", names, RegionArray="ObjectIds")
+    of_solids("texts", names, RegionArray="Text")
     group = simple.GroupDatasets(Input=balls)
     of_source("a group", group, False)
     of_solids("solids", group)

@@ -2,6 +2,7 @@
 
 import inspect
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -298,6 +299,34 @@ class AccessorTest(Warned):
         self.assertEqual(np.sign(image.points[image["Label"] == 2][:, 0] - 1).min(), 1)
         with self.assertRaisesRegex(vtkwinding.WindingError, "points alone have no bodies"):
             pv.PolyData(ball().points).winding.labels()
+
+    def test_labels_are_named_by_the_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "boxes.obj")
+            box = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
+            below = "".join(f"v {i % 2} {i // 2 % 2} {i // 4}\n" for i in range(8))
+            above = below.replace(" 1\n", " 2\n").replace(" 0\n", " 1\n")
+            path.write_text(f"g base\n{below}{box}g top\nusemtl red\n{above}"
+                            + re.sub(r"\d", lambda found: str(int(found[0]) + 8), box))
+            read = vtkwinding.read(path)
+        self.assertEqual(list(read.regions), ["Group", "Material"])
+        self.assertEqual(read.regions["Material"].names, ["", "red"])
+        mesh = pv.PolyData.from_regular_faces(read.vertices, read.faces)
+        self.assertEqual(list(mesh.winding.labels().field_data["LabelNames"]),
+                         ["Solid 1", "Solid 2"])  # which touch
+        for kind, (of_faces, names) in read.regions.items():
+            mesh.cell_data[f"{kind}Ids"] = of_faces
+            mesh.field_data[f"{kind}Names"] = names
+        image = mesh.winding.labels(resolution=20, padding=0)
+        self.assertEqual(list(image.field_data["LabelNames"]), ["base", "top"])
+        self.assertEqual([(image["Label"] == label).sum() for label in (0, 1, 2)], [0, 1000, 1000])
+        image = mesh.winding.labels(scalars="MaterialIds")
+        self.assertEqual(list(image.field_data["LabelNames"]), ["MaterialIds 0", "red"])
+        mesh.cell_data["GroupIds"][0] = 1
+        del mesh.cell_data["MaterialIds"]
+        with self.assertWarnsRegex(vtkwinding.WindingWarning,
+                                   r"names divide solids.*scalars='GroupIds'"):
+            mesh.winding.labels()
 
     def test_labels_are_places_or_regions(self):
         blocks = pv.MultiBlock([None, ball(), pv.PolyData(), ball().translate((2, 0, 0))])

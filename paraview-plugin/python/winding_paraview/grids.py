@@ -54,12 +54,25 @@ class GridAlgorithm(SourceAlgorithm):
         return 1
 
     def RequestUpdateExtent(self, request, inputs, outputs):
-        ask_for_part(inputs[0].GetInformationObject(0), Ranks(), self.values["SourceDistribution"])
+        for index in range(inputs[0].GetNumberOfInformationObjects()):
+            ask_for_part(inputs[0].GetInformationObject(index), Ranks(),
+                         self.values["SourceDistribution"])
         return 1
+
+    def source(self):
+        """The source as the inputs hold it now."""
+        return self.GetInputDataObject(0, 0)
+
+    def connections(self):
+        return [self.GetInputConnection(0, index)
+                for index in range(self.GetNumberOfInputConnections(0))]
 
     def update_source(self, out_info):
         """Has the source made before anybody asks for this filter's data."""
-        connection = self.GetInputConnection(0, 0)
+        for connection in self.connections():
+            self._update(connection, out_info)
+
+    def _update(self, connection, out_info):
         producer, port = connection.GetProducer(), connection.GetIndex()
         producer.UpdateInformation()
         produced = producer.GetOutputInformation(port)
@@ -93,25 +106,30 @@ class GridAlgorithm(SourceAlgorithm):
 
     def find_bounds_over_all_times(self, out_info, ranks):
         """Has the source made at each of its times, if the grid is to lie over all of them."""
-        connection = self.GetInputConnection(0, 0)
-        producer = connection.GetProducer()
-        producer.UpdateInformation()
-        produced = producer.GetOutputInformation(connection.GetIndex())
-        times = produced.Get(Pipeline.TIME_STEPS()) or ()
+        times, moving, key = set(), None, []
+        for connection in self.connections():
+            producer = connection.GetProducer()
+            producer.UpdateInformation()
+            produced = producer.GetOutputInformation(connection.GetIndex())
+            own = produced.Get(Pipeline.TIME_STEPS()) or ()
+            times.update(own)
+            moving = produced if moving is None and own else moving
+            key.append((producer.GetAddressAsString(""),
+                        producer.GetExecutive().GetPipelineMTime()))
         if not (self.values["UseInputBounds"] and self.values["BoundsOverAllTimes"] and times):
             self._bounds_of_times = (None, None)
             return
         _, options = self.key_of(None)
-        key = (producer.GetAddressAsString(""), producer.GetExecutive().GetPipelineMTime(), options)
+        key = (key, options)
         if self._bounds_of_times[0] == key:
             return
-        before = produced.Get(Pipeline.UPDATE_TIME_STEP()) if produced.Has(
-            Pipeline.UPDATE_TIME_STEP()) else times[0]
+        before = moving.Get(Pipeline.UPDATE_TIME_STEP()) if moving.Has(
+            Pipeline.UPDATE_TIME_STEP()) else min(times)
         boxes, request = [], vtkInformation()
-        for step in times:
+        for step in sorted(times):
             request.Set(Pipeline.UPDATE_TIME_STEP(), step)
             self.update_source(request)
-            box = self.bounds_of_source(self.GetInputDataObject(0, 0), ranks)
+            box = self.bounds_of_source(self.source(), ranks)
             boxes += [] if box is None else [box]
         found = None
         if boxes:
@@ -206,13 +224,13 @@ class ImageAlgorithm(GridAlgorithm):
         out_info.Remove(vtkDataObject.SPACING())
         out_info.Set(Pipeline.WHOLE_EXTENT(), [0, -1, 0, -1, 0, -1], 6)
         with self.reporting():
-            self.source_kind = kind_of(vtkDataObject.GetData(inputs[0]))
+            self.source_kind = kind_of(self.source())
             self.check()
             ranks = Ranks()
             self.find_bounds_over_all_times(out_info, ranks)
             if self.values["UseInputBounds"]:
                 self.update_source(out_info)
-            data = vtkDataObject.GetData(inputs[0])
+            data = self.source()
             self.source_kind = kind_of(data)
             self.lay_out_grid(data, ranks)
             as_cells = self.values["OutputAssociation"] == 1
@@ -244,7 +262,7 @@ class ImageAlgorithm(GridAlgorithm):
         with self.reporting(output):
             self.check()
             ranks = Ranks()
-            data = vtkDataObject.GetData(inputs[0])
+            data = self.source()
             self.source_kind = kind_of(data)
             grid = self.moved_grid(data, ranks)
             self._tell_grid(out_info, grid)

@@ -63,6 +63,15 @@ class Ranks:
                 f"(rank {first} of {self.count})")
         return result
 
+    def texts(self, own):
+        """The texts of all ranks, rank by rank."""
+        own = list(own)
+        if self.are_alone:
+            return own
+        letters = "".join(f"{text}\0" for text in own).encode()
+        every = np.concatenate(self.gather(np.frombuffer(letters, np.uint8)))
+        return every.tobytes().decode(errors="replace").split("\0")[:-1]
+
     def same(self, number):
         """Whether a number is the same on all ranks."""
         numbers = np.concatenate(self.gather(np.array([number], np.int64)))

@@ -52,6 +52,11 @@ class SourceReader(Algorithm):
             if arrays[name] is not None:
                 corners, offsets = arrays[name]
                 give(_datasets.cell_array_of(output, corners.copy(), offsets.copy()))
+        others = output.GetNumberOfVerts() + output.GetNumberOfLines()
+        for kind, regions in arrays["regions"].items():
+            ids = np.concatenate([np.full(others, -1, np.int32), regions.of_faces])
+            output.GetCellData().AddArray(copied(f"{kind}Ids", ids))
+            output.GetFieldData().AddArray(_column(f"{kind}Names", regions.names))
         if is_table and self.value("ReadAllColumns"):
             for name, values in _library.columns_of(handle, arrays["column_count"]):
                 output.GetPointData().AddArray(_column(name, values))

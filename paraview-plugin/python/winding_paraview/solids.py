@@ -16,6 +16,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
 from vtkwinding._library import polygons_of
+from vtkwinding._regions import KINDS, Regions, name_of, names_of_parts
 from vtkwinding._sources import kept_polygons
 
 from .algorithm import RUN, copied, declared, new_array, pointer
@@ -99,6 +100,7 @@ class Solids:
         self._filter, self._ranks = filter, ranks
         self._options = filter.source_options()
         self.notes = []
+        self.divides, self.are_numbered = None, False
         if isinstance(data, vtkCompositeDataSet):
             found = self._of_blocks(data)
         else:
@@ -140,6 +142,7 @@ class Solids:
     def _of_data_set(self, data):
         name = self._filter.values["RegionArray"]
         is_none = name == "None" and not data.GetCellData().HasArray("None")
+        self._fields = data.GetFieldData()
         if name and not is_none:
             return self._of_regions(data, name)
         return self._of_connectivity(data)
@@ -160,16 +163,38 @@ class Solids:
         return Parts(leaf.points, leaf.corners, leaf.offsets)
 
     def _of_regions(self, data, name):
-        cells = self._ranks.agree(lambda: _regions_of(data, name))
-        own = np.unique(cells[_are_faces(data)]) if len(cells) else np.empty(0, int)
-        every = np.unique(np.concatenate(self._ranks.gather(own.astype(np.int64))))
+        cells, texts = self._ranks.agree(lambda: _regions_of(data, name))
+        kind = 0 if texts is None and not len(cells) else 2 if texts is None else 1
+        kinds = set(np.concatenate(self._ranks.gather(np.array([kind]))).tolist())
+        if kinds >= {1, 2}:
+            raise WindingError(f"'{name}' holds texts on some ranks, integers on others: choose "
+                               "another array of regions (Region Array)")
+        if 1 in kinds:
+            every = sorted(set(self._ranks.texts(texts or [])), key=str.encode)
+            places = np.array([every.index(text) for text in texts or []], np.int64)
+            cells = np.where(cells >= 0, places[cells], -1) if len(cells) else cells
+            named = {place: text or "(no text)" for place, text in enumerate(every)}
+        else:
+            own = np.unique(cells[_are_faces(data)]).astype(np.int64) if len(cells) else (
+                np.empty(0, np.int64))
+            its_names = names_of_ids(self._fields, name)
+            regions = np.concatenate(self._ranks.gather(own)).tolist()
+            names = self._ranks.texts(name_of(name, region, its_names) for region in own.tolist())
+            named = dict(sorted(zip(regions, names)))
+        offset = self._filter.value("LabelOffset")
+        are_labels = named and 1 not in kinds and (
+            min(named) + offset >= 1 and max(named) + offset <= _MOST)
+        self.are_numbered = bool(named) and 1 not in kinds and not are_labels and offset == 0
         found = []
-        for region in every.tolist():
-            label = _label(region + self._filter.value("LabelOffset"),
-                           f"region {region} of '{name}'", "choose another offset (Label Offset)")
+        for place, (region, its_name) in enumerate(named.items(), 1):
+            if 1 in kinds or self.are_numbered:
+                label = _label(place, f"region '{its_name}'", "choose another offset (Label Offset)")
+            else:
+                label = _label(region + offset, f"region {region} of '{name}'",
+                               "choose another offset (Label Offset)")
             parts = self._ranks.agree(
                 lambda region=region: self._of_region(data, cells == region))
-            found.append(Solid(label, f"{name} {region}", self._gathered(parts)))
+            found.append(Solid(label, its_name, self._gathered(parts)))
         return found
 
     def _of_region(self, data, are_kept):
@@ -203,13 +228,13 @@ class Solids:
                 "the surface has too many parts for labels: name an array of regions (Region Array), "
                 f"or close the gaps between triangles; it has {count} by connectivity, and labels "
                 "are 1 to 65535")
-        nothing = (Parts(np.empty((0, 3))), False)
-        own += [nothing] * (count - len(own))
-        return [Solid(number, f"Part {number}", self._gathered(parts), is_open)
-                for number, (parts, is_open) in enumerate(own, 1)]
+        names = self._ranks.texts(name for name, _, _ in own)
+        nothing = [("", Parts(np.empty((0, 3))), False)] * (count - len(own))
+        return [Solid(number, name, self._gathered(parts), is_open)
+                for number, (name, (_, parts, is_open)) in enumerate(zip(names, own + nothing), 1)]
 
     def _ranks_parts(self, leaf):
-        """The parts by connectivity, and whether each is open within others."""
+        """The solids by connectivity: names, parts, and whether each is open within others."""
         polygons = polygons_of(leaf.corners, leaf.offsets)
         points = np.ascontiguousarray(leaf.points)
         numbers = np.empty(leaf.polygon_count, np.int32)
@@ -218,16 +243,30 @@ class Solids:
         given = (_library.array_of(points), ctypes.byref(polygons), RUN)
         self._filter.call("winding_solids", *given, pointer(numbers), ctypes.byref(count))
         self._filter.call("winding_open_parts", *given, pointer(are_open))
-        ignores = bool(self._filter.value("IgnoreOpenParts"))
+        are_unusable = numbers < 0  # to be counted as left out, once
+        if self._filter.value("IgnoreOpenParts"):
+            numbers = np.where((are_open == 0) | are_unusable, numbers, -2)
+        named, names, self.divides = names_of_parts(self._regions_of(leaf), numbers)
+        if named is not None:
+            numbers = named
         found = []
-        for number in range(count.value):
-            are_own = numbers == number
-            is_open = bool(are_open[are_own].all())
-            are_kept = are_own & (are_open == 0) if ignores else are_own
+        for number in range(count.value if names is None else len(names)):
+            are_kept = numbers == number
             if are_kept.any():
+                is_open = bool(are_open[are_kept].all())
+                name = names[number] if names else f"Part {len(found) + 1}"
                 if not found:
-                    are_kept = are_kept | (numbers < 0)  # to be counted as left out, once
-                found.append((self._parts(_part_of(leaf, are_kept)), is_open))
+                    are_kept = are_kept | are_unusable
+                found.append((name, self._parts(_part_of(leaf, are_kept)), is_open))
+        return found
+
+    def _regions_of(self, leaf):
+        """The regions that a file names of the polygons of a leaf."""
+        found = {}
+        for kind in KINDS:
+            names = names_of_ids(self._fields, f"{kind}Ids")
+            if names and leaf.data.GetCellData().GetArray(f"{kind}Ids") is not None:
+                found[kind] = Regions(leaf.cell_array(f"{kind}Ids"), names)
         return found
 
 
@@ -240,15 +279,20 @@ def _are_faces(data):
     return found
 
 
+def names_of_ids(fields, name):
+    """The names of an array of regions "...Ids", which "...Names" of the field data has."""
+    array = fields.GetAbstractArray(f"{name[:-3]}Names") if name.endswith("Ids") else None
+    return [array.GetValue(i) for i in range(array.GetNumberOfValues())] if isinstance(
+        array, vtkStringArray) else []
+
+
 def _regions_of(data, name):
-    """The region of each cell."""
+    """The region of each cell, and the texts that regions number, or None for integers. Cells that
+    are no faces have -1 where there are texts."""
     if data.GetNumberOfCells() == 0:
-        return np.empty(0)
+        return np.empty(0), None
     choose = "choose another array of regions (Region Array)"
-    array = data.GetCellData().GetArray(name)
-    if array is None and data.GetCellData().HasArray(name):
-        raise WindingError(f"'{name}' holds text, and regions are integers: number its values in "
-                           "another array (Region Array)")
+    array = data.GetCellData().GetAbstractArray(name)
     if array is None:
         is_of_points = data.GetPointData().HasArray(name)
         what = "an array of the points, not of the cells" if is_of_points else (
@@ -256,6 +300,15 @@ def _regions_of(data, name):
         raise WindingError(f"'{name}' is {what}: {choose}")
     if array.GetNumberOfComponents() != 1 or array.GetNumberOfTuples() < data.GetNumberOfCells():
         raise WindingError(f"'{name}' has not one value for each cell: {choose}")
+    if isinstance(array, vtkStringArray):
+        values = [array.GetValue(i) for i in range(data.GetNumberOfCells())]
+        are_faces = _are_faces(data)
+        texts = sorted({value for value, is_face in zip(values, are_faces) if is_face})
+        numbers = {text: number for number, text in enumerate(texts)}
+        return np.array([numbers[value] if is_face else -1
+                         for value, is_face in zip(values, are_faces)], np.int64), texts
+    if data.GetCellData().GetArray(name) is None:
+        raise WindingError(f"'{name}' holds neither integers nor texts: {choose}")
     values = _datasets.array_of(data, array).astype(float)
     with np.errstate(invalid="ignore"):
         are_wrong = _are_faces(data) & ~((np.abs(values) < 1e9) & (values == np.floor(values)))
@@ -263,7 +316,7 @@ def _regions_of(data, name):
         cell = int(np.flatnonzero(are_wrong)[0])
         raise WindingError(f"'{name}' has the value {values[cell]:f} at cell {cell}, and regions "
                            f"are integers: {choose}")
-    return values
+    return values, None
 
 
 def _with_own_names(solids):
@@ -297,7 +350,33 @@ class WindingNumberLabels(ImageAlgorithm):
         self.open_parts = []
         self.inside_out_count = 0
         self.legend = ""
+        self.input_names = {}
         self._kept = (None, None, None)
+
+    def FillInputPortInformation(self, port, info):
+        info.Set(self.INPUT_IS_REPEATABLE(), 1)
+        return super().FillInputPortInformation(port, info)
+
+    def SetInputName(self, connection, name):
+        if self.input_names.get(connection) != name:
+            self.input_names[connection] = name
+            self.Modified()
+
+    def ClearInputNames(self):
+        if self.input_names:
+            self.input_names.clear()
+            self.Modified()
+
+    def source(self):
+        count = self.GetNumberOfInputConnections(0)
+        if count < 2:
+            return super().source()
+        blocks = vtkMultiBlockDataSet()
+        for index in range(count):
+            blocks.SetBlock(index, self.GetInputDataObject(0, index))
+            blocks.GetMetaData(index).Set(
+                vtkCompositeDataSet.NAME(), self.input_names.get(index) or f"Input {index + 1}")
+        return blocks
 
     def GetNumberOfSolids(self):
         return len(self.infos)
@@ -319,7 +398,8 @@ class WindingNumberLabels(ImageAlgorithm):
 
     def _prepare(self, data, ranks):
         """The solids, and the field of each."""
-        key = (self.key_of(data), self.values["RegionArray"], self.values["LabelOffset"])
+        key = (self.key_of(data), self.values["RegionArray"], self.values["LabelOffset"],
+               dict(self.input_names))
         is_kept = self._kept[0] == key
         if ranks.same(int(is_kept)) and is_kept:
             return self._kept[1:]
@@ -433,6 +513,12 @@ class WindingNumberLabels(ImageAlgorithm):
                       + _out_of(other, count))
         if self.field_notes:
             self.warn("; ".join(self.field_notes))
+        if solids.are_numbered:
+            self.warn("labels are counted from 1, for regions are not all 1 to 65535: choose another "
+                      "offset (Label Offset); names of the labels say which regions they are")
+        if solids.divides:
+            self.warn("the file's own names divide solids, which are parts by connectivity: label "
+                      f"what has names (Region Array); the names belong to '{solids.divides}Ids'")
         if solids.repeated_names:
             self.warn(f"solids have equal names: give them different ones; {solids.repeated_names} "
                       f"of {count} got a number, for their names occurred before")

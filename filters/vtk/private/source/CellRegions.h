@@ -22,8 +22,8 @@ namespace winding
 
 /**
  * The regions of cells by an array, in the order of its values: integers, or texts, which are their
- * names. Integers of an array "…Ids" have the names that a string array "…Names" of the field data holds
- * at their places, as readers give objects, groups, materials and solids of files.
+ * names. Integers of an array "…Ids" have the names that a string array "…Names" of the field data
+ * holds at their places, as readers give objects, groups, materials and solids of files.
  */
 class CellRegions
 {

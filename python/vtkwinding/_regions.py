@@ -1,0 +1,45 @@
+"""Regions of polygons that a file names, as solids."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+# In the order in which they are looked at for labels.
+KINDS = ("Object", "Solid", "Group", "Material")
+
+
+class Regions(NamedTuple):
+    """The regions of one kind that a file names."""
+
+    of_faces: NDArray[Any]  # the region of each polygon, by its place in `names`
+    names: list[str]
+
+
+def names_of_parts(regions, parts):
+    """The solids that a file names, for polygons in `parts`, which are less than 0 for none: the
+    number of each polygon's, and their names; None where there are none. Last comes the kind whose
+    names divide parts, if there is one. These are the rules of vtkWindingNumberLabels."""
+    divides = None
+    are_used = parts >= 0
+    for kind in KINDS:
+        if kind not in regions:
+            continue
+        ids = regions[kind].of_faces
+        pairs = np.unique(np.stack([parts[are_used], ids[are_used]]), axis=1)
+        if len(pairs[0]) > len(np.unique(pairs[0])):
+            divides = divides or kind
+            continue
+        found = np.unique(pairs[1])
+        if len(found) < 2 or (kind == "Material" and len(found) < len(pairs[0])):
+            continue
+        numbers = np.where(are_used, np.searchsorted(found, ids), -1)
+        return numbers, [name_of(kind, region, regions[kind].names) for region in found.tolist()], (
+            divides)
+    return None, None, divides
+
+
+def name_of(what, region, names):
+    """The name of a region, or what it is and its number."""
+    name = names[region] if 0 <= region < len(names) else ""
+    return name or f"{what} {region}"
