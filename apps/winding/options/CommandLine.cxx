@@ -126,11 +126,12 @@ void addLabels(CLI::App& app, Options& options)
     ->type_name("NAME");
   labels
     ->add_option("--region-array", options.regionArray,
-      "For one input: the cell array of integers, each of which is the label of a solid")
+      "For one input: the cell array of integers or texts, each of which is a solid. Integers are "
+      "the labels themselves, or are counted from 1 where they are not all 1 to 65535")
     ->type_name("ARRAY");
   labels
     ->add_option("--label-offset", options.labelOffset,
-      "For --region-array: added to the integers, 1 where they begin with 0 (0)")
+      "For --region-array: added to the integers (0)")
     ->type_name("N");
   for (const char* option :
     {"--overlap", "--count", "--shares", "--region-array", "--label-offset"})

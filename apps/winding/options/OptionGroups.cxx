@@ -87,8 +87,8 @@ void addInputs(CLI::App* command, Options& options)
 {
   command
     ->add_option("IN", options.inputs,
-      "Surfaces or oriented points, a solid each; or one surface, whose parts by connectivity or "
-      "by --region-array are the solids: " +
+      "Surfaces or oriented points, a solid each; or one surface, whose solids are the values of "
+      "--region-array, or its parts, as the file names them or by connectivity: " +
         inputSuffixes())
     ->required()
     ->type_name("...");
