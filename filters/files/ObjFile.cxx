@@ -161,8 +161,12 @@ Counts countsOf(std::string_view text, RegionStarts& regions)
     counts.freeForms += statement == Statement::freeForm ? 1 : 0;
     if (statement == Statement::region)
     {
-      regions[static_cast<std::size_t>(kind)].push_back(
-        {static_cast<std::size_t>(counts.cells[2]), std::string(regionName(lines.rest()))});
+      std::vector<RegionStart>& ofKind = regions[static_cast<std::size_t>(kind)];
+      const std::string_view name = regionName(lines.rest());
+      if (ofKind.empty() || ofKind.back().name != name) // some programs repeat it for each face
+      {
+        ofKind.push_back({static_cast<std::size_t>(counts.cells[2]), std::string(name)});
+      }
     }
     if (statement == Statement::cell)
     {
