@@ -46,12 +46,14 @@ class TestLabels(unittest.TestCase):
         self.assertEqual(labels.SMProxy.GetProperty("NumberOfSolids").GetElement(0), 3)
 
     def test_several_inputs_have_a_label_each(self):
-        expected = values_of(result(
-            simple.WindingNumberLabels(Input=self.assembly(), Resolution=24)).GetPointData())
+        expected = values_of(result(simple.WindingNumberLabels(
+            Input=self.assembly(), Resolution=24,
+            OverlapRule="Smallest Volume")).GetPointData())
         sources = [simple.Sphere(registrationName=name, Center=place[:3], Radius=place[3],
                                  ThetaResolution=32, PhiResolution=24)
                    for name, place in BALLS.items()]
-        labels = simple.WindingNumberLabels(Input=sources, Resolution=24)
+        labels = simple.WindingNumberLabels(
+            Input=sources, Resolution=24, OverlapRule="Smallest Volume")
         image = result(labels)
         self.assertEqual(values_of(image.GetPointData()), expected)
         names = image.GetFieldData().GetAbstractArray("LabelNames")

@@ -161,12 +161,12 @@ REPORTED = {
 }
 LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples", "NumberOfSamplesOnSurface",
             "NumberOfSamplesBesidePoints", "MaxErrorBesidePoints", "SourceIsInsideOut",
-            "NumberOfVertices", "Controller"}
+            "NumberOfVertices", "Controller", "InputNames"}
 
 INPUTS = {
     "SurfaceReport": {"Input"},
     "WindingNumberField": {"Input"},
-    "WindingNumberLabels": {"Input"},
+    "WindingNumberLabels": {"Input", "InputNames"},
     "WindingNumberSurface": {"Input"},
     "WindingNumberHyperTree": {"Input"},
     "WindingNumberProbe": {"Input", "Source"},
