@@ -311,7 +311,8 @@ extern "C"
     int32_t
       sampling_dimensions[3];  /**< voxels along each axis, 0 0 0 for cubic ones. Default: 0 0 0 */
     double sampling_bounds[6]; /**< least and largest x, y and z. To be set */
-    double padding;            /**< margin, as a share of the longest side. Default: 0.05 */
+    double padding;            /**< margin, as a share of the longest side, or of each axis's own
+                                    where voxels are not cubic. Default: 0.05 */
     int32_t cubic; /**< whether sampling_dimensions give cubic voxels, too. Default: 0 */
   } winding_grid_request;
 

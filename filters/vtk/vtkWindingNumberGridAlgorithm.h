@@ -86,8 +86,9 @@ public:
   ///@}
 
   ///@{
-  /// The margin around the input's bounds on each side, as a fraction of their longest side. 0 or
-  /// more, default 0.05.
+  /// The margin around the input's bounds on each side, as a fraction of their longest side. With
+  /// SamplingDimensions it is a fraction of each axis's own side, unless that is 0. 0 or more,
+  /// default 0.05.
   vtkSetMacro(Padding, double);
   vtkGetMacro(Padding, double);
   ///@}

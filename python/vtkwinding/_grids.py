@@ -79,8 +79,11 @@ class Plan:
 
 
 def _padded(bounds, padding):
-    margin = padding * max(bounds[2 * axis + 1] - bounds[2 * axis] for axis in range(3))
-    return [end + (margin if index % 2 else -margin) for index, end in enumerate(bounds)]
+    """A box with a margin of each axis's own, and of the longest where an axis has no length."""
+    sides = [bounds[2 * axis + 1] - bounds[2 * axis] for axis in range(3)]
+    margins = [padding * (side if side > 0 else max(sides)) for side in sides]
+    return [end + (margins[index // 2] if index % 2 else -margins[index // 2])
+            for index, end in enumerate(bounds)]
 
 
 def _bricks(bounds, steps):

@@ -22,7 +22,8 @@ void addGrid(CLI::App* command, Options& options)
   CLI::Option* bounds = command->add_option("--bounds", options.bounds,
     "Outer faces of the voxels: xmin xmax ymin ymax zmin zmax (those of the input)");
   CLI::Option* padding = command->add_option("--padding", options.padding,
-    "Margin around the input's bounds, as a fraction of their longest side (0.05)");
+    "Margin around the input's bounds, as a fraction of their longest side, or with --dims of each "
+    "axis's own (0.05)");
   CLI::Option* cells = command->add_flag("--cells", options.cells,
     command->get_name() == "field" || command->get_name() == "labels"
       ? "Make the samples cells of the image, not points"

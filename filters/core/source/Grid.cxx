@@ -142,7 +142,12 @@ Grid layOutGrid(const GridRequest& request)
       Message(Parameter::padding, text("is ", request.padding, "; it must be 0 or more")));
   }
   const double longest = request.bounds.sizes().maxCoeff();
-  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(longest * request.padding);
+  Eigen::Vector3d margin = Eigen::Vector3d::Constant(longest * request.padding);
+  if (request.dimensions != Eigen::Vector3i::Zero() && !request.isCubic)
+  {
+    const Eigen::Array3d own = request.bounds.sizes().array();
+    margin = request.padding * (own > 0).select(own, longest).matrix();
+  }
   const Bounds padded(request.bounds.min() - margin, request.bounds.max() + margin);
   checkBounds(padded);
   const Eigen::Vector3d sides = padded.sizes();

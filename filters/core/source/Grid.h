@@ -95,7 +95,9 @@ Eigen::Vector3i sampleIndex(const Extent& extent, std::size_t n);
 struct GridRequest
 {
   Bounds bounds;      ///< the box to cover: the source's, or the user's own
-  double padding = 0; ///< margin on each side, as a fraction of the longest side
+  /// Margin on each side, as a fraction of the longest side. Where voxels are not cubic, it is a
+  /// fraction of each axis's own side, unless that is 0.
+  double padding = 0;
   Eigen::Vector3i dimensions = Eigen::Vector3i::Zero(); ///< voxels per axis; 0 0 0: cubic voxels
   bool isCubic = false; ///< whether voxels are cubic even where dimensions are given
   double voxelSize = 0; ///< side of the cubic voxels; 0: follows from resolution

@@ -116,6 +116,21 @@ TEST(LayOutGrid, ReachesOverTheBoundsByTheSameOnBothSidesAndLessThanAVoxelInAll)
   }
 }
 
+TEST(LayOutGrid, PadsEachAxisByItsOwnLengthWithGivenDimensions)
+{
+  GridRequest request = overSome();
+  request.dimensions = {6, 6, 6};
+  request.padding = 0.25;
+  Grid grid = layOutGrid(request);
+  EXPECT_EQ(grid.corner(), Point(0, 1.5, 2.75));
+  EXPECT_EQ(grid.spacing, Point(1, 0.5, 0.25));
+  request.bounds = Bounds({1, 2, 3}, {5, 4, 3}); // flat
+  grid = layOutGrid(request);
+  EXPECT_EQ(grid.corner(), Point(0, 1.5, 2));
+  request.isCubic = true;
+  EXPECT_EQ(layOutGrid(request).spacing, Point(1, 1, 1));
+}
+
 TEST(LayOutGrid, GainsNoVoxelByRounding)
 {
   GridRequest request = over({0, 0, 0}, {0.3, 0.7, 2.1});
