@@ -23,7 +23,7 @@ from .fields import Field
 DEFAULTS = {name: parameter.default for name, parameter in inspect.signature(Field).parameters.items()
             if parameter.kind is parameter.KEYWORD_ONLY and name not in ("normals", "areas")}
 
-_KINDS = "extract the blocks of one kind: the source mixes surfaces and point clouds"
+_KINDS = "take blocks or files of one kind: the source mixes surfaces and point clouds"
 _MIXED = "cells with and without volume are mixed: choose which ({surface_cells})"
 _LOOSE = ("lines and single points bound nothing: make faces of them, if they are walls; "
           "{count} are left out")

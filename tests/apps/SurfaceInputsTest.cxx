@@ -348,6 +348,47 @@ TEST_F(SurfaceInputs, FacesThatContradictEachOtherAreTold)
   EXPECT_EQ(count(twisted.err, "contradict"), 0) << twisted;
 }
 
+TEST_F(SurfaceInputs, SeveralFilesAreOneSource)
+{
+  // A channel without its ends, and the ends in files of other formats.
+  const Points corners = cornersOfBox(0, 6, 1);
+  const Polygons faces = facesOfBox();
+  const std::string walls =
+    folder.write("walls.obj", asObj(corners, {faces[0], faces[1], faces[2], faces[4]}));
+  const std::string inlet = folder.write("inlet.stl", asStl({corners, {{3, 0, 4}, {3, 4, 7}}}));
+  const std::string outlet = folder.write("outlet.off", asOff({corners, {{1, 2, 6}, {1, 6, 5}}}));
+  const std::string box = folder.write("box.obj", asObj(corners, faces));
+
+  const nlohmann::json report = runProgram({"check", walls, inlet, outlet, "--json"}).json();
+  EXPECT_EQ(report["closed"], true) << report;
+  EXPECT_NEAR(report["volume"], 6, 1e-9);
+  EXPECT_EQ(runProgram({"check", walls, inlet, "--json"}).json()["closed"], false);
+  for (const std::string command : {"field", "surface", "voxels"})
+  {
+    const std::string suffix = command == "field" ? ".vti" : ".ply";
+    const std::string parts = folder.path("parts" + suffix), whole = folder.path("whole" + suffix);
+    const Outcome run = runProgram({command, walls, inlet, outlet, "-o", parts});
+    EXPECT_EQ(run.status, 0) << run;
+    EXPECT_EQ(run.err, "");
+    EXPECT_NE(run.out.find(walls + " and 2 more: "), std::string::npos) << run;
+    EXPECT_EQ(runProgram({command, box, "-o", whole}).status, 0);
+    EXPECT_EQ(contentsOf(parts), contentsOf(whole)) << command;
+  }
+  const std::string queries = folder.write("queries.csv", "x,y,z\n3,0.5,0.5\n3,0.5,1.5\n");
+  const std::string answers = folder.path("answers.csv");
+  EXPECT_EQ(runProgram({"probe", walls, inlet, outlet, queries, "-o", answers}).err, "");
+  EXPECT_EQ(contentsOf(answers), "x,y,z,WindingNumber,Inside\n3,0.5,0.5,1,1\n3,0.5,1.5,0,0\n");
+
+  // Refusals name the files, and no file that is read is replaced.
+  const std::string cloud = folder.write("ball.xyz", asXyz(sphere(2)));
+  EXPECT_TRUE(runProgram({"field", box, cloud, "-o", folder.path("no.vti")})
+                .saysInOneLine({box + " and 1 more: ", "mixes surfaces and point clouds"}));
+  EXPECT_TRUE(runProgram({"field", box, folder.path("none.stl"), "-o", folder.path("no.vti")})
+                .saysInOneLine({"none.stl: "}));
+  EXPECT_TRUE(runProgram({"surface", walls, inlet, "-o", inlet}).saysInOneLine({"inlet.stl"}));
+  EXPECT_TRUE(runProgram({"probe", box, "-o", answers}).saysInOneLine({"QUERIES is required"}));
+}
+
 TEST_F(SurfaceInputs, PointsHaveNoFacesToTurn)
 {
   const Outcome run = fieldOf(folder.write("ball.xyz", asXyz(sphere(3))), {"--orient"});

@@ -155,7 +155,7 @@ void runCheck(const Options& options, Messages& messages)
     output.emplace(options.output, kept);
   }
   vtkNew<vtkSurfaceReport> filter;
-  filter->SetInputDataObject(readInput(options.input, messages));
+  filter->SetInputDataObject(readSource(options, messages));
   filter->SetUseSurfaceCells(options.surfaceCells);
   filter->SetFixOrientation(options.fixOrientation);
   {

@@ -3,9 +3,27 @@
 #include "input/ReadInput.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
+#include "program/Messages.h"
 #include "program/ParallelRun.h"
 
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
+
+#include <filesystem>
+
+namespace
+{
+
+/// Reads a file on the first rank; the others get a data set without points.
+vtkSmartPointer<vtkPointSet> readOnFirstRank(const std::string& fileName, Messages& messages)
+{
+  vtkSmartPointer<vtkPointSet> data = vtkSmartPointer<vtkPolyData>::New();
+  parallel::agreeOnFirst([&] { data = readInput(fileName, messages); });
+  return data;
+}
+
+} // namespace
 
 std::vector<std::string> filesToKeep(const Options& options)
 {
@@ -13,12 +31,12 @@ std::vector<std::string> filesToKeep(const Options& options)
   {
     return {};
   }
-  if (!options.inputs.empty())
+  std::vector<std::string> files = options.inputs;
+  if (!options.queries.empty())
   {
-    return options.inputs;
+    files.push_back(options.queries);
   }
-  return options.queries.empty() ? std::vector<std::string>{options.input}
-                                 : std::vector<std::string>{options.input, options.queries};
+  return files;
 }
 
 std::unique_ptr<OutputFile> openOnFirstRank(const Options& options)
@@ -29,9 +47,21 @@ std::unique_ptr<OutputFile> openOnFirstRank(const Options& options)
   return file;
 }
 
-vtkSmartPointer<vtkPointSet> readOnFirstRank(const std::string& fileName, Messages& messages)
+vtkSmartPointer<vtkDataObject> readSource(const Options& options, Messages& messages)
 {
-  vtkSmartPointer<vtkPointSet> data = vtkSmartPointer<vtkPolyData>::New();
-  parallel::agreeOnFirst([&] { data = readInput(fileName, messages); });
-  return data;
+  const std::vector<std::string>& files = options.inputs;
+  if (files.size() == 1)
+  {
+    return readOnFirstRank(files[0], messages);
+  }
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (const std::string& file : files)
+  {
+    const unsigned int block = blocks->GetNumberOfBlocks();
+    blocks->SetBlock(block, readOnFirstRank(file, messages));
+    blocks->GetMetaData(block)->Set(
+      vtkCompositeDataSet::NAME(), std::filesystem::path(file).stem().c_str());
+  }
+  messages.setSubject(options.input); // what follows is about all of them
+  return blocks;
 }

@@ -8,7 +8,7 @@
 
 class Messages;
 class OutputFile;
-class vtkPointSet;
+class vtkDataObject;
 struct Options;
 
 /// Returns the files that no output may replace: those that are read, or none with --overwrite.
@@ -18,6 +18,7 @@ std::vector<std::string> filesToKeep(const Options& options);
 /// ranks where it cannot be written. Collective.
 std::unique_ptr<OutputFile> openOnFirstRank(const Options& options);
 
-/// Reads `fileName` as readInput() does, on the first rank; the others get a data set without
-/// points. Throws Failure on all ranks where it cannot be read. Collective.
-vtkSmartPointer<vtkPointSet> readOnFirstRank(const std::string& fileName, Messages& messages);
+/// Reads the inputs as readInput() does, on the first rank: one as it is, several as blocks with
+/// the names of their files without folders and suffixes. The other ranks get no points. Throws
+/// Failure on all ranks where a file cannot be read. Collective.
+vtkSmartPointer<vtkDataObject> readSource(const Options& options, Messages& messages);

@@ -14,16 +14,15 @@
 
 #include <algorithm>
 
-FieldRun::FieldRun(vtkWindingNumberGridAlgorithm& filter, const Options& options,
-  Messages& messages, const std::function<vtkSmartPointer<vtkDataObject>()>& read)
+FieldRun::FieldRun(
+  vtkWindingNumberGridAlgorithm& filter, const Options& options, Messages& messages)
   : filter_(filter)
   , options_(options)
   , messages_(messages)
   , report_(filter, options)
 {
   const Stopwatch reading;
-  const vtkSmartPointer<vtkDataObject> input =
-    read ? read() : vtkSmartPointer<vtkDataObject>(readOnFirstRank(options.input, messages));
+  const vtkSmartPointer<vtkDataObject> input = readSource(options, messages);
   report_.setReadSeconds(reading.seconds());
   filter_.SetInputDataObject(input);
   filter_.SetSourceDistribution(vtkWindingNumberAlgorithm::DISTRIBUTED);

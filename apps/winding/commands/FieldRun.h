@@ -21,10 +21,8 @@ struct Options;
 class FieldRun
 {
 public:
-  /// Reads the input, by `read` if it is given, and gives it to the filter, with the options. Keeps
-  /// the references.
-  FieldRun(vtkWindingNumberGridAlgorithm& filter, const Options& options, Messages& messages,
-    const std::function<vtkSmartPointer<vtkDataObject>()>& read = {});
+  /// Reads the inputs and gives them to the filter, with the options. Keeps the references.
+  FieldRun(vtkWindingNumberGridAlgorithm& filter, const Options& options, Messages& messages);
   ~FieldRun();
 
   const Options& options() const { return options_; }

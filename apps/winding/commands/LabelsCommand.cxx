@@ -17,11 +17,8 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkUnsignedShortArray.h"
@@ -30,33 +27,6 @@
 
 namespace
 {
-
-/// The name of a file without folders and suffix.
-std::string stemOf(const std::string& fileName)
-{
-  const std::string name = fileName.substr(fileName.find_last_of('/') + 1);
-  return name.substr(0, name.size() - suffixOf(name).size());
-}
-
-/// One file as it is, or several as blocks with the names of their files; on the first rank, and
-/// blocks without data on the others.
-vtkSmartPointer<vtkDataObject> readSolids(const Options& options, Messages& messages)
-{
-  const std::vector<std::string>& files = options.inputs;
-  if (files.size() == 1)
-  {
-    return readOnFirstRank(files[0], messages);
-  }
-  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  for (const std::string& file : files)
-  {
-    const unsigned int block = blocks->GetNumberOfBlocks();
-    blocks->SetBlock(block, readOnFirstRank(file, messages));
-    blocks->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), stemOf(file).c_str());
-  }
-  messages.setSubject(options.input); // what follows is about all of them
-  return blocks;
-}
 
 /// The labels with their names, and with their voxels where the image is the whole one.
 Json describeLabels(vtkImageData* image, bool isWhole, bool asCells)
@@ -126,7 +96,7 @@ void report(
 void writePieces(vtkWindingNumberLabels& filter, const Options& options, Messages& messages)
 {
   const PiecesFile output(options.output, filesToKeep(options));
-  FieldRun run(filter, options, messages, [&] { return readSolids(options, messages); });
+  FieldRun run(filter, options, messages);
   writeFieldPieces(run, output);
   report(run, filter, filter.GetOutput(), options);
 }
@@ -135,7 +105,7 @@ void writePieces(vtkWindingNumberLabels& filter, const Options& options, Message
 void writeAlone(vtkWindingNumberLabels& filter, const Options& options, Messages& messages)
 {
   OutputFile output(options.output, filesToKeep(options));
-  FieldRun run(filter, options, messages, [&] { return readSolids(options, messages); });
+  FieldRun run(filter, options, messages);
   if (options.pieces == 1)
   {
     run.update();
@@ -148,7 +118,7 @@ void writeAlone(vtkWindingNumberLabels& filter, const Options& options, Messages
 void writeWhole(vtkWindingNumberLabels& filter, const Options& options, Messages& messages)
 {
   const auto output = openOnFirstRank(options);
-  FieldRun run(filter, options, messages, [&] { return readSolids(options, messages); });
+  FieldRun run(filter, options, messages);
   const vtkSmartPointer<vtkImageData> image = gatherImage(run);
   if (suffixOf(options.output) == ".vti")
   {

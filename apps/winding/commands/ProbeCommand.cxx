@@ -137,7 +137,7 @@ void runProbe(const Options& options, Messages& messages)
   Queries queries;
   queries.points = vtkSmartPointer<vtkPolyData>::New();
   parallel::agreeOnFirst([&] { readQueries(options, messages, queries); });
-  const auto source = readOnFirstRank(options.input, messages);
+  const auto source = readSource(options, messages);
   const double readSeconds = stopwatch.seconds();
 
   vtkNew<vtkWindingNumberProbe> probe;

@@ -22,7 +22,7 @@ CLI::App* addCommand(
   CLI::App& app, Options& options, const std::string& name, const std::string& description)
 {
   CLI::App* command = app.add_subcommand(name, description);
-  addInput(command, options);
+  addInputs(command, options);
   return command;
 }
 
@@ -101,8 +101,7 @@ void addVoxels(CLI::App& app, Options& options)
 void addLabels(CLI::App& app, Options& options)
 {
   CLI::App* labels =
-    app.add_subcommand("labels", "Which of several solids each voxel lies in, as labels");
-  addInputs(labels, options);
+    addCommand(app, options, "labels", "Which of several solids each voxel lies in, as labels");
   addOutput(labels, options,
     std::string(".vti or .pvti, the labels; or the surface between voxels of different ones: ") +
       surfaceFormats);
@@ -152,12 +151,8 @@ void addLabels(CLI::App& app, Options& options)
 
 void addProbe(CLI::App& app, Options& options)
 {
-  CLI::App* probe = addCommand(app, options, "probe", "Winding numbers at given points");
-  probe
-    ->add_option("QUERIES", options.queries,
-      "The points: any of the formats of IN; .csv or .tsv with columns x,y,z")
-    ->required()
-    ->type_name("");
+  CLI::App* probe = app.add_subcommand("probe", "Winding numbers at given points");
+  addInputsAndQueries(probe, options);
   addOutput(probe, options, ".vtp .vtu .csv .tsv");
   addThreshold(probe, options);
   probe
@@ -313,10 +308,14 @@ std::optional<Options> parseCommandLine(int argc, char** argv)
   }
   const CLI::App* command = app.get_subcommands()[0];
   options.command = command->get_name();
-  if (!options.inputs.empty())
+  if (options.command == "probe")
   {
-    options.input = nameOfAll(options.inputs);
+    requireUsage(options.inputs.size() > 1,
+      "QUERIES is required: give the file of the points that are asked about last");
+    options.queries = options.inputs.back();
+    options.inputs.pop_back();
   }
+  options.input = nameOfAll(options.inputs);
   checkRanges(*command);
   checkOptions(options, [command](const char* option) { return command->count(option) > 0; });
   return options;

@@ -70,29 +70,36 @@ CLI::Validator oneOf(const Choices& choices)
   return validator;
 }
 
-void addInput(CLI::App* command, Options& options)
+void addInputs(CLI::App* command, Options& options)
 {
-  command->add_option("IN", options.input, "Surface or oriented points: " + inputSuffixes())
+  const bool isLabels = command->get_name() == "labels";
+  const std::string several =
+    isLabels ? "a solid each; or one surface, whose solids are the values of --region-array, or "
+               "its parts, as the file names them or by connectivity: "
+             : "all together one source: ";
+  command
+    ->add_option("IN", options.inputs, "Surfaces or oriented points, " + several + inputSuffixes())
+    ->required()
+    ->type_name("");
+}
+
+void addInputsAndQueries(CLI::App* command, Options& options)
+{
+  command
+    ->add_option("IN", options.inputs,
+      "Surfaces or oriented points, all together one source; last, QUERIES, the points that are "
+      "asked about, of any of the formats, .csv and .tsv with columns x,y,z: " +
+        inputSuffixes())
     ->required()
     ->type_name("");
 }
 
 void addPointsInput(CLI::App* command, Options& options)
 {
-  command->add_option("IN", options.input, "Points, or a mesh, for its points: " + inputSuffixes())
+  command->add_option("IN", options.inputs, "Points, or a mesh, for its points: " + inputSuffixes())
     ->required()
+    ->expected(1)
     ->type_name("");
-}
-
-void addInputs(CLI::App* command, Options& options)
-{
-  command
-    ->add_option("IN", options.inputs,
-      "Surfaces or oriented points, a solid each; or one surface, whose solids are the values of "
-      "--region-array, or its parts, as the file names them or by connectivity: " +
-        inputSuffixes())
-    ->required()
-    ->type_name("...");
 }
 
 void addOutput(CLI::App* command, Options& options, const std::string& suffixes)

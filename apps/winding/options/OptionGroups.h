@@ -20,16 +20,17 @@ using Choices = std::vector<std::pair<std::string, int>>;
 /// Turns a word into its number. (CLI11's own transformer would take numbers too, and say less.)
 CLI::Validator oneOf(const Choices& choices);
 
-void addInput(CLI::App* command, Options& options);
-
-/// Adds several inputs, each of them a solid, or one with several.
+/// Adds one or several inputs. They are a solid each for labels, and one source for others.
 void addInputs(CLI::App* command, Options& options);
+
+/// Adds inputs that are one source, and behind them the file of queries.
+void addInputsAndQueries(CLI::App* command, Options& options);
 void addOutput(CLI::App* command, Options& options, const std::string& suffixes);
 
 /// Adds `--overwrite`.
 void addOverwrite(CLI::App* command, Options& options);
 
-/// Adds the inputs of commands that work on points: a mesh is one of its points there.
+/// Adds the input of commands that work on points: a mesh is one of its points there.
 void addPointsInput(CLI::App* command, Options& options);
 
 /// Adds how the areas of points are found, by the words that the command takes, from how many

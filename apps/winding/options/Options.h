@@ -7,8 +7,8 @@
 struct Options
 {
   std::string command; ///< field, surface, voxels, labels, probe, normals, check or bench
-  std::string input;
-  std::vector<std::string> inputs; ///< all files of labels and bench; `input` names them then
+  std::vector<std::string> inputs; ///< the files that are read, one or more, without queries
+  std::string input;               ///< names all of them in messages
   std::string queries;
   std::string output;
   bool overwrite = false; ///< whether an output may replace a file that is read

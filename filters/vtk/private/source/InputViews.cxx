@@ -80,7 +80,7 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   }
   if (!leaves_.empty() && isSurface != isSurface_)
   {
-    throw Refusal("extract the blocks of one kind: the source mixes surfaces and point clouds");
+    throw Refusal("take blocks or files of one kind: the source mixes surfaces and point clouds");
   }
   isSurface_ = isSurface;
   leaves_.push_back(own);
