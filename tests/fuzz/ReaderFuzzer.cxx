@@ -21,7 +21,7 @@
 namespace
 {
 
-void checkFieldOf(vtkPointSet* data)
+void checkFieldOf(vtkDataObject* data)
 {
   vtkNew<vtkWindingNumberField> field;
   field->SetInputData(data);

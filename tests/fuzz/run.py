@@ -31,6 +31,8 @@ FILES_OF = {
     "vtk": [".vtk"],
     "vtp": [".vtp"],
     "vtu": [".vtu"],
+    "gltf": [".gltf"],
+    "glb": [".glb"],
     "options": [],
 }
 ENVIRONMENT = {

@@ -4,6 +4,7 @@ Usage: seeds.py <folder>: a folder for each suffix, and options with command lin
 """
 
 import base64
+import json
 import pathlib
 import struct
 import sys
@@ -265,6 +266,51 @@ def vtu(points, faces):
             yield f"{name}_{way}", xml.file("UnstructuredGrid", piece)
 
 
+def gltf_parts(points, faces):
+    """What a glTF file says of two nodes with one mesh, but for its buffer, and the buffer."""
+    corners = [(f[0], f[i], f[i + 1]) for f in faces for i in range(1, len(f) - 1)]
+    positions = struct.pack(f"<{3 * len(points)}f", *(x for p in points for x in p))
+    ids = struct.pack(f"<{3 * len(corners)}I", *(i for c in corners for i in c))
+    number, whole = 5126, 5125  # types: float, unsigned int
+    about = {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [
+            {"mesh": 0, "scale": [2, 1, 1], "children": [1]},
+            {"mesh": 0, "translation": [9, 0, 0]},
+        ],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [
+            {"bufferView": 0, "componentType": number, "count": len(points), "type": "VEC3",
+             "min": [min(x) for x in zip(*points)], "max": [max(x) for x in zip(*points)]},
+            {"bufferView": 1, "componentType": whole, "count": 3 * len(corners), "type": "SCALAR"},
+        ],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": 0, "byteLength": len(positions)},
+            {"buffer": 0, "byteOffset": len(positions), "byteLength": len(ids)},
+        ],
+        "buffers": [{"byteLength": len(positions + ids)}],
+    }
+    return about, positions + ids
+
+
+def gltf(points, faces):
+    about, buffer = gltf_parts(points, faces)
+    data = base64.b64encode(buffer).decode()
+    about["buffers"][0]["uri"] = "data:application/octet-stream;base64," + data
+    yield "nodes", json.dumps(about, indent=1)
+
+
+def glb(points, faces):
+    about, buffer = gltf_parts(points, faces)
+    words = json.dumps(about).encode()
+    words += b" " * (-len(words) % 4)
+    chunks = struct.pack("<I4s", len(words), b"JSON") + words
+    chunks += struct.pack("<I4s", len(buffer), b"BIN\0") + buffer
+    yield "nodes", struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
 def table(points, separator):
     def lines(head, rows, end="\n"):
         return "".join(separator.join(map(str, row)) + end for row in [head, *rows])
@@ -327,6 +373,8 @@ def all_files():
         ".vtk": legacy,
         ".vtp": vtp,
         ".vtu": vtu,
+        ".gltf": gltf,
+        ".glb": glb,
     }
     for shape, (points, faces) in SHAPES.items():
         made = [(suffix, maker(points, faces)) for suffix, maker in makers.items()]

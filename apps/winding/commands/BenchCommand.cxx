@@ -213,7 +213,7 @@ private:
   const std::string file_;
   const Options& options_;
   Messages& messages_;
-  vtkSmartPointer<vtkPointSet> source_;
+  vtkSmartPointer<vtkDataObject> source_;
   vtkSmartPointer<vtkImageData> grid_; ///< the field that was made last
   vtkIdType triangles_ = 0;
 };

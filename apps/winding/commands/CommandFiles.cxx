@@ -16,9 +16,9 @@ namespace
 {
 
 /// Reads a file on the first rank; the others get a data set without points.
-vtkSmartPointer<vtkPointSet> readOnFirstRank(const std::string& fileName, Messages& messages)
+vtkSmartPointer<vtkDataObject> readOnFirstRank(const std::string& fileName, Messages& messages)
 {
-  vtkSmartPointer<vtkPointSet> data = vtkSmartPointer<vtkPolyData>::New();
+  vtkSmartPointer<vtkDataObject> data = vtkSmartPointer<vtkPolyData>::New();
   parallel::agreeOnFirst([&] { data = readInput(fileName, messages); });
   return data;
 }

@@ -81,7 +81,7 @@ void readQueries(const Options& options, Messages& messages, Queries& queries)
     checkColumns(
       [](const std::string& name) { return name == "x" || name == "y" || name == "z"; }, options);
   }
-  queries.points = readInput(options.queries, messages);
+  queries.points = readPoints(options.queries, messages);
 }
 
 void printReport(const Options& options, vtkWindingNumberProbe& probe, const ProbeAnswer& probed,

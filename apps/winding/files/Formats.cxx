@@ -3,7 +3,11 @@
 #include "files/Text.h"
 
 #include "vtkDataSetReader.h"
+#include "vtkGLTFReader.h"
 #include "vtkSourceReader.h"
+#include "vtkXMLMultiBlockDataReader.h"
+#include "vtkXMLPPolyDataReader.h"
+#include "vtkXMLPUnstructuredGridReader.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
@@ -31,10 +35,23 @@ vtkSmartPointer<vtkAlgorithm> legacyVtk(const std::string& fileName)
   return reader;
 }
 
+vtkSmartPointer<vtkAlgorithm> gltf(const std::string& fileName)
+{
+  const auto reader = vtkSmartPointer<vtkGLTFReader>::New();
+  reader->SetFileName(fileName.c_str());
+  reader->ApplyDeformationsToGeometryOn(); // and the places of nodes
+  return reader;
+}
+
 constexpr VtkFormat formats[] = {
   {".vtp", plain<vtkXMLPolyDataReader>},
   {".vtk", legacyVtk},
   {".vtu", plain<vtkXMLUnstructuredGridReader>},
+  {".vtm", plain<vtkXMLMultiBlockDataReader>},
+  {".pvtp", plain<vtkXMLPPolyDataReader>},
+  {".pvtu", plain<vtkXMLPUnstructuredGridReader>},
+  {".gltf", gltf},
+  {".glb", gltf},
 };
 
 } // namespace

@@ -45,6 +45,17 @@ bool isXml(std::string_view text)
   return startsWith(text, "<?xml") || startsWith(text, "<VTKFile");
 }
 
+bool isBinaryGltf(std::string_view text)
+{
+  return startsWith(text, "glTF");
+}
+
+bool isJson(std::string_view text)
+{
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] == '{';
+}
+
 /// A kind of file that announces itself in its first bytes.
 struct Kind
 {
@@ -54,7 +65,8 @@ struct Kind
 };
 
 constexpr Kind kinds[] = {{"PLY", ".ply", isPly}, {"legacy VTK", ".vtk", isLegacyVtk},
-  {"VTK XML", ".vtp or .vtu", isXml}, {"OFF", ".off", isOff}};
+  {"VTK XML", ".vtp .vtu .vtm .pvtp or .pvtu", isXml}, {"OFF", ".off", isOff},
+  {"binary glTF", ".glb", isBinaryGltf}, {"JSON", ".gltf", isJson}};
 
 /// Returns the kind for which `fits` holds; null if there is none.
 template <class Fits> const Kind* kindWhere(const Fits& fits)

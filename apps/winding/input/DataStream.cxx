@@ -6,6 +6,9 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiPieceDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -257,24 +260,8 @@ vtkSmartPointer<vtkPointSet> receiveStructure(ByteSource& source)
   return grid;
 }
 
-} // namespace
-
-void ByteSink::put(const std::string& text)
+void sendPointSet(vtkPointSet* data, ByteSink& sink)
 {
-  this->put(text.size());
-  this->put(text.data(), text.size());
-}
-
-std::string ByteSource::takeText()
-{
-  std::string text(this->take<std::size_t>(), '\0');
-  this->take(text.data(), text.size());
-  return text;
-}
-
-void sendData(vtkPointSet* data, ByteSink& sink)
-{
-  sink.put(data->GetDataObjectType());
   if (auto* polyData = vtkPolyData::SafeDownCast(data))
   {
     sendPolyData(polyData, sink);
@@ -293,9 +280,8 @@ void sendData(vtkPointSet* data, ByteSink& sink)
   sendFields(data->GetFieldData(), sink);
 }
 
-vtkSmartPointer<vtkPointSet> receiveData(ByteSource& source)
+vtkSmartPointer<vtkPointSet> receivePointSet(int type, ByteSource& source)
 {
-  const auto type = source.take<int>();
   vtkSmartPointer<vtkPointSet> data = type == VTK_POLY_DATA           ? receivePolyData(source)
                                       : type == VTK_UNSTRUCTURED_GRID ? receiveGrid(source)
                                                                       : receiveStructure(source);
@@ -309,4 +295,105 @@ vtkSmartPointer<vtkPointSet> receiveData(ByteSource& source)
   receiveAttributes(source, data->GetCellData());
   receiveFields(source, data->GetFieldData());
   return data;
+}
+
+/// The type of a block that holds nothing.
+constexpr int nothing = -1;
+
+vtkDataObject* partOf(vtkMultiBlockDataSet* blocks, unsigned int number)
+{
+  return blocks->GetBlock(number);
+}
+
+vtkDataObject* partOf(vtkMultiPieceDataSet* pieces, unsigned int number)
+{
+  return pieces->GetPieceAsDataObject(number);
+}
+
+void setPart(vtkMultiBlockDataSet* blocks, unsigned int number, vtkDataObject* part)
+{
+  blocks->SetBlock(number, part);
+}
+
+void setPart(vtkMultiPieceDataSet* pieces, unsigned int number, vtkDataObject* part)
+{
+  pieces->SetPiece(number, part);
+}
+
+template <class Composite> void sendBlocks(Composite* blocks, unsigned int count, ByteSink& sink)
+{
+  sink.put(count);
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    vtkInformation* about = blocks->HasMetaData(i) ? blocks->GetMetaData(i) : nullptr;
+    const char* name = about ? about->Get(vtkCompositeDataSet::NAME()) : nullptr;
+    sink.put(std::string(name ? name : ""));
+    sendData(partOf(blocks, i), sink);
+  }
+}
+
+template <class Composite> vtkSmartPointer<Composite> receiveBlocks(ByteSource& source)
+{
+  auto blocks = vtkSmartPointer<Composite>::New();
+  const auto count = source.take<unsigned int>();
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    const std::string name = source.takeText();
+    setPart(blocks, i, receiveData(source));
+    if (!name.empty())
+    {
+      blocks->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+    }
+  }
+  return blocks;
+}
+
+} // namespace
+
+void ByteSink::put(const std::string& text)
+{
+  this->put(text.size());
+  this->put(text.data(), text.size());
+}
+
+std::string ByteSource::takeText()
+{
+  std::string text(this->take<std::size_t>(), '\0');
+  this->take(text.data(), text.size());
+  return text;
+}
+
+void sendData(vtkDataObject* data, ByteSink& sink)
+{
+  sink.put(data ? data->GetDataObjectType() : nothing);
+  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+  {
+    sendBlocks(blocks, blocks->GetNumberOfBlocks(), sink);
+  }
+  else if (auto* pieces = vtkMultiPieceDataSet::SafeDownCast(data))
+  {
+    sendBlocks(pieces, pieces->GetNumberOfPieces(), sink);
+  }
+  else if (data)
+  {
+    sendPointSet(vtkPointSet::SafeDownCast(data), sink);
+  }
+}
+
+vtkSmartPointer<vtkDataObject> receiveData(ByteSource& source)
+{
+  const auto type = source.take<int>();
+  if (type == nothing)
+  {
+    return nullptr;
+  }
+  if (type == VTK_MULTIBLOCK_DATA_SET)
+  {
+    return receiveBlocks<vtkMultiBlockDataSet>(source);
+  }
+  if (type == VTK_MULTIPIECE_DATA_SET)
+  {
+    return receiveBlocks<vtkMultiPieceDataSet>(source);
+  }
+  return receivePointSet(type, source);
 }

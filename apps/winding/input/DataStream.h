@@ -6,7 +6,7 @@
 #include <string>
 #include <type_traits>
 
-class vtkPointSet;
+class vtkDataObject;
 
 /// Takes bytes, as they are in memory, on their way to another process of this program.
 class ByteSink
@@ -43,11 +43,12 @@ public:
 
 /**
  * Sends vtkPolyData, a vtkUnstructuredGrid or a vtkStructuredGrid with its points, cells and
- * arrays: all bits, names, names of components and active attributes. Information keys of arrays
- * stay behind. The function follows neither offsets nor ids, which may be wrong.
+ * arrays: all bits, names, names of components and active attributes. A vtkMultiBlockDataSet or a
+ * vtkMultiPieceDataSet is sent with its names and with what of these it holds. Information keys of
+ * arrays stay behind. The function follows neither offsets nor ids, which may be wrong.
  */
-void sendData(vtkPointSet* data, ByteSink& sink);
+void sendData(vtkDataObject* data, ByteSink& sink);
 
 /// Makes the data that sendData() has sent. Throws std::bad_alloc where it does not fit into
 /// memory.
-vtkSmartPointer<vtkPointSet> receiveData(ByteSource& source);
+vtkSmartPointer<vtkDataObject> receiveData(ByteSource& source);

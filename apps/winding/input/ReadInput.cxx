@@ -9,6 +9,8 @@
 #include "program/Messages.h"
 #include "program/Progress.h"
 
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSourceReader.h"
@@ -16,25 +18,30 @@
 namespace
 {
 
-/// Warns where coordinates are in single precision, and lie so far from the origin that rounding
-/// to it has moved them.
-void warnOfLostDigits(vtkPointSet* data, const std::string& fileName, Messages& messages)
+/// Whether coordinates are in single precision, and lie so far from the origin that rounding to it
+/// has moved them.
+bool haveLostDigits(vtkDataObject* data)
 {
-  if (data->GetNumberOfPoints() == 0 || data->GetPoints()->GetDataType() != VTK_FLOAT)
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
   {
-    return;
+    const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    bool isAny = false;
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      isAny |= haveLostDigits(leaves->GetCurrentDataObject());
+    }
+    return isAny;
   }
-  const SinglePrecision precision = singlePrecisionOf(data);
-  if (precision == SinglePrecision::movesPoints || precision == SinglePrecision::collapsesPoints)
+  auto* const points = vtkPointSet::SafeDownCast(data);
+  if (points->GetNumberOfPoints() == 0 || points->GetPoints()->GetDataType() != VTK_FLOAT)
   {
-    messages.warn(
-      fileName + ": its coordinates are kept in single precision, and so far from the " +
-      "origin that vertices move by more than a ten-thousandth of its size; move it to " +
-      "the origin, or use .vtp or .off with double precision");
+    return false;
   }
+  const SinglePrecision precision = singlePrecisionOf(points);
+  return precision == SinglePrecision::movesPoints || precision == SinglePrecision::collapsesPoints;
 }
 
-vtkSmartPointer<vtkPointSet> read(const std::string& fileName, Messages& messages)
+vtkSmartPointer<vtkDataObject> read(const std::string& fileName, Messages& messages)
 {
   const std::string suffix = suffixOf(fileName);
   if ((' ' + inputSuffixes() + ' ').find(' ' + suffix + ' ') == std::string::npos)
@@ -55,12 +62,29 @@ vtkSmartPointer<vtkPointSet> read(const std::string& fileName, Messages& message
 
 } // namespace
 
-vtkSmartPointer<vtkPointSet> readInput(const std::string& fileName, Messages& messages)
+vtkSmartPointer<vtkDataObject> readInput(const std::string& fileName, Messages& messages)
 {
   messages.setSubject(fileName);
   auto data = read(fileName, messages);
-  warnOfLostDigits(data, fileName, messages);
+  if (haveLostDigits(data))
+  {
+    messages.warn(
+      fileName + ": its coordinates are kept in single precision, and so far from the " +
+      "origin that vertices move by more than a ten-thousandth of its size; move it to " +
+      "the origin, or use .vtp or .off with double precision");
+  }
   return data;
+}
+
+vtkSmartPointer<vtkPointSet> readPoints(const std::string& fileName, Messages& messages)
+{
+  const auto data = readInput(fileName, messages);
+  vtkSmartPointer<vtkPointSet> points = vtkPointSet::SafeDownCast(data);
+  if (!points)
+  {
+    throw Failure(EXIT_REFUSED, fileName, "has several blocks; give them as one data set");
+  }
+  return points;
 }
 
 void readBy(vtkSourceReader* reader, const std::string& fileName, Messages& messages)

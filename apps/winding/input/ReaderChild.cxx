@@ -3,10 +3,13 @@
 #include "files/Formats.h"
 #include "input/DataStream.h"
 #include "input/LegacyVtkCounts.h"
+#include "input/PieceFiles.h"
 #include "program/Failure.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkErrorCode.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -165,7 +168,27 @@ void limitToReading(std::uintmax_t fileSize)
   limitTime(fixedSeconds + secondsPerByte * static_cast<double>(fileSize));
 }
 
-vtkSmartPointer<vtkPointSet> read(
+/// Throws Failure for data that holds anything but surfaces, unstructured grids or points.
+void checkKind(vtkDataObject* data, const std::string& fileName)
+{
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      checkKind(leaves->GetCurrentDataObject(), fileName);
+    }
+  }
+  else if (!data || (!data->IsA("vtkPolyData") && !data->IsA("vtkUnstructuredGrid") &&
+                      !data->IsA("vtkStructuredGrid")))
+  {
+    throw Failure(EXIT_REFUSED, fileName,
+      std::string("holds ") + (data ? data->GetClassName() : "nothing") +
+        "; a surface, an unstructured grid or points are needed");
+  }
+}
+
+vtkSmartPointer<vtkDataObject> read(
   const std::string& fileName, const VtkFormat& format, ByteSink& sink)
 {
   const vtkSmartPointer<vtkAlgorithm> reader = format.makeReader(fileName);
@@ -178,17 +201,11 @@ vtkSmartPointer<vtkPointSet> read(
       std::string("cannot be read: ") +
         vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
   }
-  vtkDataObject* output = reader->GetOutputDataObject(0);
-  vtkSmartPointer<vtkPointSet> data = vtkPointSet::SafeDownCast(output);
-  if (!data)
-  {
-    throw Failure(EXIT_REFUSED, fileName,
-      std::string("holds ") + (output ? output->GetClassName() : "nothing") +
-        "; a surface, an unstructured grid or points are needed");
-  }
+  vtkSmartPointer<vtkDataObject> data = reader->GetOutputDataObject(0);
+  checkKind(data, fileName);
   if (reader->IsA("vtkDataSetReader")) // it trusts the counts of a legacy file
   {
-    checkLegacyVtkCounts(fileName, data);
+    checkLegacyVtkCounts(fileName, vtkPointSet::SafeDownCast(data));
   }
   return data;
 }
@@ -203,13 +220,23 @@ Failure outOfMemory(const std::string& fileName, std::uintmax_t fileSize)
                  : Failure(EXIT_NO_MEMORY, fileName, "does not fit into memory; use a smaller one");
 }
 
-/// Reads with all exceptions as Failure.
-vtkSmartPointer<vtkPointSet> readOrFail(
-  const std::string& fileName, const VtkFormat& format, ByteSink& sink)
+/// The size of a file in bytes; 0 where there is none.
+std::uintmax_t sizeOf(const std::string& fileName)
 {
   std::error_code error;
   const std::uintmax_t found = std::filesystem::file_size(fileName, error);
-  const std::uintmax_t size = error ? 0 : found;
+  return error ? 0 : found;
+}
+
+/// Reads with all exceptions as Failure.
+vtkSmartPointer<vtkDataObject> readOrFail(
+  const std::string& fileName, const VtkFormat& format, ByteSink& sink)
+{
+  std::uintmax_t size = sizeOf(fileName);
+  for (const std::string& piece : pieceFilesOf(fileName))
+  {
+    size += sizeOf(piece);
+  }
   try
   {
     limitToReading(size);

@@ -2,6 +2,7 @@
 
 #include "files/Text.h"
 #include "input/DataStream.h"
+#include "input/PieceFiles.h"
 #include "input/ReaderChild.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"
@@ -10,8 +11,10 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCellType.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
 #include "vtkNew.h"
-#include "vtkPointSet.h"
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
@@ -186,7 +189,7 @@ constexpr bool knowsPolyhedra = VTK_MAJOR_VERSION > 9 || VTK_MINOR_VERSION >= 4;
 constexpr std::pair<int, int> newestFormat = {2, knowsPolyhedra ? 3 : 2};
 
 /// The version of a file of VTK's XML formats if it is newer than what VTK reads; else empty.
-std::string newerFormat(const std::string& fileName)
+std::string newerFormatOf(const std::string& fileName)
 {
   const std::string head = beginningOf(fileName, 1024), attribute = " version=\"";
   const std::size_t at = head.find(attribute, std::min(head.find("<VTKFile"), head.size()));
@@ -196,6 +199,18 @@ std::string newerFormat(const std::string& fileName)
   return isThere && version > newestFormat
            ? std::to_string(version.first) + "." + std::to_string(version.second)
            : "";
+}
+
+/// The version of the file, or of the first of its parts, that is newer than what VTK reads; else
+/// empty.
+std::string newerFormat(const std::string& fileName)
+{
+  std::string newer = newerFormatOf(fileName);
+  for (const std::string& piece : pieceFilesOf(fileName))
+  {
+    newer = newer.empty() ? newerFormatOf(piece) : newer;
+  }
+  return newer;
 }
 
 /// Throws Failure for what cannot be read of a newer format, unless a condition holds.
@@ -208,19 +223,29 @@ void requireKnown(bool condition, const std::string& fileName, const std::string
   }
 }
 
-bool hasPolyhedra(vtkPointSet* data)
+bool hasPolyhedra(vtkDataObject* data)
 {
   bool isAny = false;
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells() && !isAny; ++cell)
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
   {
-    isAny = data->GetCellType(cell) == VTK_POLYHEDRON;
+    const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      isAny |= hasPolyhedra(leaves->GetCurrentDataObject());
+    }
+    return isAny;
+  }
+  auto* const cells = vtkDataSet::SafeDownCast(data);
+  for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells() && !isAny; ++cell)
+  {
+    isAny = cells->GetCellType(cell) == VTK_POLYHEDRON;
   }
   return isAny;
 }
 
 /// Takes messages up to the last one. `newer` is the version of a format that is newer than VTK's,
 /// or empty.
-vtkSmartPointer<vtkPointSet> receive(
+vtkSmartPointer<vtkDataObject> receive(
   ReaderProcess& process, const std::string& fileName, const std::string& newer, Messages& messages)
 {
   vtkNew<vtkAlgorithm> follower; // has the progress of the reader
@@ -261,11 +286,11 @@ vtkSmartPointer<vtkPointSet> receive(
 
 } // namespace
 
-vtkSmartPointer<vtkPointSet> readInProcess(
+vtkSmartPointer<vtkDataObject> readInProcess(
   const std::string& fileName, const VtkFormat& format, Messages& messages)
 {
-  ReaderProcess process(fileName, format);
   const std::string newer = newerFormat(fileName);
+  ReaderProcess process(fileName, format);
   try
   {
     return receive(process, fileName, newer, messages);

@@ -5,7 +5,7 @@
 #include <string>
 
 class Messages;
-class vtkPointSet;
+class vtkDataObject;
 struct VtkFormat;
 
 /**
@@ -17,5 +17,5 @@ struct VtkFormat;
  * Throws Failure, in one line about the file, for each of these ends, and for whatever VTK reports
  * while it reads, save warnings that leave the data whole; these are printed.
  */
-vtkSmartPointer<vtkPointSet> readInProcess(
+vtkSmartPointer<vtkDataObject> readInProcess(
   const std::string& fileName, const VtkFormat& format, Messages& messages);

@@ -91,7 +91,7 @@ void forEachMesh(const BenchOptions& options, Messages& messages,
 {
   for (const std::string& file : options.files)
   {
-    const Triangles triangles = trianglesOf(readInput(file, messages));
+    const Triangles triangles = trianglesOf(readPoints(file, messages));
     messages.throwIfError(file);
     if (triangles.triangles() == 0)
     {
