@@ -1,6 +1,6 @@
 #include "files/InputFile.h"
 
-#include "files/PlainArray.h"
+#include "files/Words.h"
 
 #include <algorithm>
 #include <string_view>
@@ -15,7 +15,7 @@ constexpr std::size_t bytesAtOnce = 1 << 18;
 
 } // namespace
 
-InputFile::InputFile(const char* name)
+InputFile::InputFile(const char* name, const Unpack& unpack)
   : name_(name ? name : "")
   , handle_(name_)
 {
@@ -40,10 +40,38 @@ InputFile::InputFile(const char* name)
   {
     this->refuse("is empty", FileFault::ends);
   }
+  if (this->unpackedName() != name_)
+  {
+    if (!unpack)
+    {
+      this->refuse("is packed by gzip; unpack it first");
+    }
+    content_ = unpack(*this);
+    if (content_.empty())
+    {
+      this->refuse("is empty when it is unpacked", FileFault::ends);
+    }
+  }
+}
+
+std::string InputFile::unpackedName() const
+{
+  constexpr std::string_view packed = ".gz";
+  const std::size_t rest = name_.size() - std::min(name_.size(), packed.size());
+  return inSmallLetters(name_.substr(rest)) == packed ? name_.substr(0, rest) : name_;
 }
 
 void InputFile::read(std::size_t offset, char* bytes, std::size_t count) const
 {
+  if (!content_.empty())
+  {
+    if (offset > content_.size() || count > content_.size() - offset)
+    {
+      this->refuse("cannot be read to its end", FileFault::ends);
+    }
+    std::copy_n(content_.data() + offset, count, bytes);
+    return;
+  }
   while (count > 0)
   {
     const std::size_t taken = handle_.read(offset, bytes, count);

@@ -2,8 +2,10 @@
 
 #include "base/Refusal.h"
 #include "files/FileHandle.h"
+#include "files/PlainArray.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 
 namespace winding
@@ -44,14 +46,21 @@ private:
 class InputFile
 {
 public:
+  /// Unpacks the bytes of a file. Throws FileRefusal where they are not packed, or damaged.
+  using Unpack = std::function<PlainArray<char>(const InputFile& packed)>;
+
   /// Opens a regular file. Throws FileRefusal when there is no name (null or empty) and where the
-  /// file is missing, a folder, a pipe, unreadable or empty; it never waits for a pipe.
-  explicit InputFile(const char* name);
+  /// file is missing, a folder, a pipe, unreadable or empty; it never waits for a pipe. A file with
+  /// the suffix .gz is unpacked into memory, and refused where `unpack` is empty.
+  explicit InputFile(const char* name, const Unpack& unpack = {});
 
   const std::string& name() const { return name_; }
 
-  /// The number of bytes when the file was opened.
-  std::size_t size() const { return handle_.size(); }
+  /// Returns the name without the suffix .gz: its suffix says what the bytes are.
+  std::string unpackedName() const;
+
+  /// The number of bytes, unpacked, when the file was opened.
+  std::size_t size() const { return content_.empty() ? handle_.size() : content_.size(); }
 
   /// The place where text begins: behind a byte order mark of UTF-8, if there is one.
   std::size_t textStart() const;
@@ -75,6 +84,7 @@ public:
 private:
   std::string name_;
   FileHandle handle_;
+  PlainArray<char> content_; ///< unpacked; empty where the file is read as it is
 };
 
 } // namespace winding

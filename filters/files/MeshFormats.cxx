@@ -46,7 +46,7 @@ std::string suffixOf(const std::string& name)
 
 const MeshFormat& formatOf(const InputFile& file)
 {
-  const std::string suffix = suffixOf(file.name());
+  const std::string suffix = suffixOf(file.unpackedName());
   const auto* format = std::find_if(std::begin(formats), std::end(formats),
     [&suffix](const MeshFormat& candidate) { return candidate.suffix == suffix; });
   if (format == std::end(formats))

@@ -37,6 +37,24 @@ public:
     }
   }
 
+  /// Keeps the numbers that fit. Throws std::bad_alloc as the constructor does.
+  void resize(std::size_t size)
+  {
+    if (size == 0 || size > std::size_t(-1) / sizeof(Number))
+    {
+      *this = PlainArray(size);
+      return;
+    }
+    void* const moved = std::realloc(numbers_.get(), size * sizeof(Number));
+    if (!moved)
+    {
+      throw std::bad_alloc();
+    }
+    (void)numbers_.release();
+    numbers_.reset(static_cast<Number*>(moved));
+    size_ = size;
+  }
+
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
   Number* data() { return numbers_.get(); }

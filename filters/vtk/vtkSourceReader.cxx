@@ -5,6 +5,7 @@
 #include "messages/Options.h"
 #include "private/output/HandedArrays.h"
 #include "private/pipeline/ErrorReports.h"
+#include "private/pipeline/Gzip.h"
 #include "private/pipeline/SmpExecutor.h"
 
 #include "vtkDoubleArray.h"
@@ -113,8 +114,9 @@ int vtkSourceReader::RequestData(
   {
     try
     {
-      const winding::InputFile file(this->FileName);
       winding::SmpExecutor executor(this, 0);
+      const winding::InputFile file(this->FileName, [&executor](const winding::InputFile& packed)
+        { return winding::unpackGzip(packed, executor); });
       this->Read(file, executor, output);
     }
     catch (const winding::FileRefusal& refusal)

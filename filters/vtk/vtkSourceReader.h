@@ -30,6 +30,9 @@
  *   numbers. All points are in one cell, so that they can be seen.
  * - Tables of points, with commas (.csv), tabs (.tsv) or semicolons. See below.
  *
+ * Files of all of these formats may be packed by gzip, with .gz behind their suffix. They are
+ * unpacked into memory, which is refused where less is free.
+ *
  * Geometry that a file has and that is not read is a warning, and so are colours of points.
  *
  * Points are in double precision where the file holds more digits than single precision has: in all

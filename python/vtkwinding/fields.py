@@ -11,8 +11,12 @@ Refused input is a WindingError, wrong arguments are a TypeError or a ValueError
 from __future__ import annotations
 
 import ctypes
+import gzip
 import os
+import shutil
+import tempfile
 import threading
+import zlib
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -571,11 +575,31 @@ class Mesh(NamedTuple):
 
 
 def read(path: str | os.PathLike[str]) -> Mesh:
-    """Reads an .obj, .off, .ply, .stl, .xyz, .pwn, .csv or .tsv file: a Mesh. Lines, colours and
-    columns without a meaning are left out."""
+    """Reads an .obj, .off, .ply, .stl, .xyz, .pwn, .csv or .tsv file, which may be packed as .gz: a
+    Mesh. Lines, colours and columns without a meaning are left out."""
     name = os.fsencode(path)
     if not name or b"\0" in name:
         raise ValueError("path must be the name of a file, without null characters")
+    return _read_packed(name) if name.lower().endswith(b".gz") else _read(name)
+
+
+def _read_packed(name):
+    """Reads an unpacked copy in a temporary folder; errors name the file itself."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy = os.path.join(os.fsencode(folder), os.path.basename(name)[:-3])
+        try:
+            with gzip.open(name) as packed, open(copy, "wb") as unpacked:
+                shutil.copyfileobj(packed, unpacked)
+        except (OSError, EOFError, zlib.error) as error:
+            raise WindingError(f"{os.fsdecode(name)}: cannot be unpacked: {error}") from error
+        try:
+            return _read(copy)
+        except WindingError as error:
+            text = str(error).replace(os.fsdecode(copy), os.fsdecode(name))
+            raise type(error)(text) from None
+
+
+def _read(name):
     handle = _library.Handle("winding_mesh_free")
     _library.call("winding_read", ctypes.c_char_p(name), _library.RUN,
                   ctypes.byref(handle.pointer))

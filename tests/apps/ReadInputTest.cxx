@@ -1,5 +1,6 @@
 #include "apps/Inputs.h"
 #include "apps/RunProgram.h"
+#include "support/Gzip.h"
 
 #include <gtest/gtest.h>
 
@@ -332,7 +333,22 @@ TEST(ReadInput, Compressed)
   const TemporaryFolder folder;
   const Outcome run = check(folder.write("in.stl", std::string("\x1f\x8b\x08\x00", 4) + "packed"));
   EXPECT_EQ(run.status, 2);
-  EXPECT_TRUE(run.saysInOneLine({"gzip", "unpack"})) << run;
+  EXPECT_TRUE(run.saysInOneLine({"gzip", "unpack", ".stl.gz"})) << run;
+
+  const Mesh mesh = sphere(2);
+  for (const std::string suffix : {"obj", "stl", "ply", "off"})
+  {
+    const Outcome packed = check(folder.write("in." + suffix + ".gz", gzip(asFile(mesh, suffix))));
+    ASSERT_EQ(packed.status, 0) << packed;
+    EXPECT_EQ(packed.json()["triangles"], mesh.triangles.size());
+  }
+  const std::string in = folder.path("in.obj.gz"), out = folder.path("out.csv");
+  const std::string queries = folder.write("at.csv.gz", gzip("x,y,z\n0,0,0\n"));
+  EXPECT_EQ(runProgram({"probe", in, queries, "-o", out}).err, "");
+  EXPECT_EQ(contentsOf(out), "x,y,z,WindingNumber,Inside\n0,0,0,1,1\n");
+  EXPECT_TRUE(check(folder.write("in.vtp.gz", gzip(asVtp(mesh))))
+                .saysInOneLine({"suffix that is not known", "packed as .gz"}));
+  EXPECT_EQ(runProgram({"surface", in, "-o", folder.path("out.ply.gz")}).status, 1);
 }
 
 /// Counts that no file of that size can hold must not be believed.

@@ -22,7 +22,8 @@ def panel_suffixes(path):
     """The suffixes that ParaView's readers name, in Files and in their panels."""
     elements = ElementTree.parse(path).iter()
     names = [e.get("extensions") for e in elements if e.tag in ("ReaderFactory", "FileChooser")]
-    return ["." + suffix for text in names for suffix in text.split()]
+    suffixes = ["." + suffix for text in names for suffix in text.split()]
+    return [suffix for suffix in suffixes if not suffix.endswith(".gz")]
 
 
 def main(root):

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <random>
 
@@ -120,6 +121,27 @@ TEST(InputFile, WhatCannotBeRead)
   EXPECT_EQ(faultOf("/dev/zero"), FileFault::cannotOpen);
   const TemporaryFile empty("");
   EXPECT_EQ(faultOf(empty.name()), FileFault::ends);
+}
+
+TEST(InputFile, PackedFilesNeedWhatUnpacksThem)
+{
+  const TemporaryFile file("packed", ".obj.gz");
+  const InputFile unpacked(file.name(),
+    [](const InputFile& packed)
+    {
+      EXPECT_EQ(packed.size(), 6U);
+      winding::PlainArray<char> content(3);
+      std::copy_n("v 1", 3, content.data());
+      return content;
+    });
+  EXPECT_EQ(unpacked.size(), 3U);
+  char letters[2];
+  unpacked.read(1, letters, 2);
+  EXPECT_EQ(std::string(letters, 2), " 1");
+  EXPECT_THROW(unpacked.read(2, letters, 2), FileRefusal);
+  const std::string name = file.name();
+  EXPECT_EQ(unpacked.unpackedName(), name.substr(0, name.size() - 3));
+  EXPECT_THROW(InputFile(file.name()), FileRefusal);
 }
 
 TEST(InputFile, LinesAreCountedFromOne)

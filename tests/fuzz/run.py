@@ -33,6 +33,7 @@ FILES_OF = {
     "vtu": [".vtu"],
     "gltf": [".gltf"],
     "glb": [".glb"],
+    "gz": [".xyz.gz"],
     "options": [],
 }
 ENVIRONMENT = {

@@ -4,6 +4,7 @@ Usage: seeds.py <folder>: a folder for each suffix, and options with command lin
 """
 
 import base64
+import gzip
 import json
 import pathlib
 import struct
@@ -342,6 +343,11 @@ def cloud(points):
     yield "counted", text([(len(points),)]) + text(points) + text([(0, 0, 1)] * len(points))
 
 
+def packed(points):
+    for name, content in cloud(points):
+        yield name, gzip.compress(content.encode(), mtime=0)
+
+
 COMMANDS = [
     "field a.off -o b.vti --resolution 8 --inside --distance --distance-band 2",
     "field a.off -o b.vti --coverage fraction --coverage-samples 3",
@@ -383,6 +389,7 @@ def all_files():
             (".tsv", table(points, "\t")),
             (".xyz", cloud(points)),
             (".pwn", cloud(points)),
+            (".xyz.gz", packed(points)),
         ]
         for suffix, files in made:
             for name, content in files:

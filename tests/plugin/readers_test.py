@@ -1,4 +1,7 @@
 """The plugin's readers in ParaView."""
+import gzip
+import os
+import tempfile
 import unittest
 
 from paraview import servermanager, simple
@@ -47,6 +50,14 @@ class TestReaders(unittest.TestCase):
                 data = result(simple.PointCloudReader(FileName=path))
                 self.assertEqual(data.GetNumberOfPoints(), 2)
                 self.assertEqual(data.GetPointData().GetNormals().GetTuple3(1), (0, 1, 0))
+
+    def test_packed_points(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "points.xyz.gz")
+            with gzip.open(path, "wt") as file:
+                file.write("0 0 1 0 0 1\n0 1 0 0 1 0\n")
+            self.assertIn("OrientedPointsReader", readers_of(path))
+            self.assertEqual(result(simple.PointCloudReader(FileName=path)).GetNumberOfPoints(), 2)
 
     def test_surface_mesh(self):
         with text_file(".obj", "v 0 0 0\nv 0.1 0 0\nv 0 1 0\nf 1 2 3\n") as path:

@@ -1,9 +1,11 @@
 """Field, which is built once and asked often, and the functions that need no VTK."""
 
 import copy
+import gzip
 import inspect
 import pathlib
 import pickle
+import re
 import signal
 import subprocess
 import sys
@@ -223,6 +225,13 @@ class FunctionsTest(unittest.TestCase):
             self.assertIsNone(cloud.faces)
             self.assertGreater(Field(cloud).area, 0)
             self.assertEqual(vtkwinding.report(cloud)["normals"], 1)
+            path = pathlib.Path(folder, "points.xyz.gz")
+            path.write_bytes(gzip.compress(b"0 0 0 0 0 1\n1 0 0 0 0 1\n"))
+            np.testing.assert_array_equal(vtkwinding.read(path).vertices, cloud.vertices)
+            for content in (b"0 0 0", gzip.compress(b"0 0 0")[:-3], gzip.compress(b"0 0 x")):
+                path.write_bytes(content)
+                with self.assertRaisesRegex(vtkwinding.WindingError, f"^{re.escape(str(path))}: "):
+                    vtkwinding.read(path)
             path = pathlib.Path(folder, "nan.obj")
             path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\nf 1 2 4\n")
             self.assertEqual(vtkwinding.report(vtkwinding.read(path))["non_finite"], 1)

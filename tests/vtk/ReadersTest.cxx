@@ -1,3 +1,4 @@
+#include "support/Gzip.h"
 #include "support/RealMeshes.h"
 #include "vtk/ErrorLog.h"
 #include "vtk/FileReading.h"
@@ -329,6 +330,52 @@ TEST(ReaderOfMeshes, SharedCloudAsVtkReadsIt)
     const double* const normal = expected->GetPointData()->GetNormals()->GetTuple3(i);
     expectRow(found->GetPointData()->GetNormals(), i, normal[0], normal[1], normal[2]);
   }
+}
+
+/// Points in text, which is longer than what is read and unpacked at once.
+std::string manyPoints()
+{
+  std::string text;
+  for (int i = 0; text.size() < 3000000; ++i)
+  {
+    text += std::to_string(i) + " " + std::to_string(i % 89) + " 0.25\n";
+  }
+  return text;
+}
+
+TEST(ReaderOfPackedFiles, GivesWhatIsPacked)
+{
+  const std::string points = manyPoints();
+  const auto plain = read(points, ".xyz");
+  const std::size_t half = points.find('\n', points.size() / 2) + 1;
+  const std::string parts = gzip(points.substr(0, half)) + gzip("") + gzip(points.substr(half));
+  for (const std::string& packed : {gzip(points), parts, parts + std::string(512, '\0')})
+  {
+    const auto mesh = read(packed, ".xyz.GZ");
+    ASSERT_EQ(mesh->GetNumberOfPoints(), plain->GetNumberOfPoints());
+    const auto values = 3 * static_cast<std::size_t>(mesh->GetNumberOfPoints());
+    const auto* const expected = static_cast<double*>(plain->GetPoints()->GetVoidPointer(0));
+    const auto* const got = static_cast<double*>(mesh->GetPoints()->GetVoidPointer(0));
+    EXPECT_TRUE(std::equal(got, got + values, expected));
+  }
+  EXPECT_EQ(read(gzip("x,y,z\n1,2,3\n"), ".csv.gz")->GetNumberOfPoints(), 1);
+}
+
+TEST(ReaderOfPackedFiles, RefusesDamagedOnes)
+{
+  const std::string whole = gzip("1 2 3\n4 5 6\n");
+  for (std::size_t bytes = 1; bytes < whole.size(); ++bytes)
+  {
+    expectRefusal(whole.substr(0, bytes), "it is damaged", end, ".xyz.gz");
+  }
+  std::string other = whole;
+  other[other.size() - 6] ^= 1; // of the checksum
+  expectRefusal(other, "it is damaged", format, ".xyz.gz");
+  expectRefusal("1 2 3\n", "is not packed by gzip", format, ".xyz.gz");
+  expectRefusal(whole + "more", "is damaged", format, ".xyz.gz");
+  expectRefusal(gzip(""), "is empty when it is unpacked", end, ".xyz.gz");
+  expectRefusal(whole, "suffix that is not known", format, ".gz");
+  expectRefusal(gzip("1 2 3\n4 five 6\n"), "line 2", format, ".xyz.gz");
 }
 
 } // namespace

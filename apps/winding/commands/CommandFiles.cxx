@@ -1,5 +1,6 @@
 #include "commands/CommandFiles.h"
 
+#include "files/Formats.h"
 #include "input/ReadInput.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
@@ -60,7 +61,7 @@ vtkSmartPointer<vtkDataObject> readSource(const Options& options, Messages& mess
     const unsigned int block = blocks->GetNumberOfBlocks();
     blocks->SetBlock(block, readOnFirstRank(file, messages));
     blocks->GetMetaData(block)->Set(
-      vtkCompositeDataSet::NAME(), std::filesystem::path(file).stem().c_str());
+      vtkCompositeDataSet::NAME(), std::filesystem::path(unpackedName(file)).stem().c_str());
   }
   messages.setSubject(options.input); // what follows is about all of them
   return blocks;

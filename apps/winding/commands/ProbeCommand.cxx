@@ -61,14 +61,15 @@ void checkColumns(const std::function<bool(const std::string&)>& isColumn, const
 /// Reads the queries into a place where they stay.
 void readQueries(const Options& options, Messages& messages, Queries& queries)
 {
-  if (isTable(options.queries))
+  const std::string unpacked = unpackedName(options.queries);
+  if (isTable(unpacked))
   {
     const bool isHandedOn = isTable(options.output);
-    if (isHandedOn && suffixOf(options.queries) != suffixOf(options.output))
+    if (isHandedOn && suffixOf(unpacked) != suffixOf(options.output))
     {
       throw Failure(EXIT_REFUSED, options.output,
         "the columns of the queries are kept as they are; give it their suffix " +
-          suffixOf(options.queries));
+          suffixOf(unpacked));
     }
     queries.table.emplace(
       options.queries, isHandedOn ? QueryTable::With::rows : QueryTable::With::columns, messages);

@@ -61,6 +61,13 @@ std::string suffixOf(const std::string& fileName)
   return inSmallLetters(std::filesystem::path(fileName).extension().string());
 }
 
+std::string unpackedName(const std::string& fileName)
+{
+  const std::string packed = ".gz";
+  const std::string rest = fileName.substr(0, fileName.size() - packed.size());
+  return suffixOf(fileName) == packed && !vtkFormatOf(suffixOf(rest)) ? rest : fileName;
+}
+
 bool isTable(const std::string& fileName)
 {
   const std::string suffix = suffixOf(fileName);

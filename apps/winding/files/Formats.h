@@ -10,6 +10,10 @@ class vtkAlgorithm;
 /// letters. May be empty.
 std::string suffixOf(const std::string& fileName);
 
+/// Returns a file's name without the suffix .gz: its own suffix says what is packed there. VTK's
+/// formats are not read from such files.
+std::string unpackedName(const std::string& fileName);
+
 /// Whether the suffix says that a file is a table: .csv, with commas, or .tsv, with tabs.
 bool isTable(const std::string& fileName);
 

@@ -97,6 +97,10 @@ const char* compressedKind(std::string_view head)
 
 void checkContentFits(const std::string& fileName)
 {
+  if (unpackedName(fileName) != fileName)
+  {
+    return; // the reader unpacks it, and knows what is in it
+  }
   const std::string suffix = suffixOf(fileName);
   const std::string name = suffix.size() > 1 ? suffix.substr(1) : suffix;
   std::string head = beginningOf(fileName, 1024);
@@ -107,7 +111,10 @@ void checkContentFits(const std::string& fileName)
   if (const char* compressed = compressedKind(head))
   {
     throw Failure(EXIT_REFUSED, fileName,
-      "is not " + name + " but compressed with " + compressed + "; unpack it first");
+      "is not " + name + " but compressed with " + compressed + "; unpack it first" +
+        (std::string(compressed) == "gzip" && !vtkFormatOf(suffix)
+            ? ", or give it the suffix " + suffix + ".gz"
+            : ""));
   }
   const Kind* const promised = kindWhere([&suffix](const Kind& kind)
     { return std::string_view(kind.suffixes).find(suffix) != std::string_view::npos; });

@@ -43,11 +43,12 @@ bool haveLostDigits(vtkDataObject* data)
 
 vtkSmartPointer<vtkDataObject> read(const std::string& fileName, Messages& messages)
 {
-  const std::string suffix = suffixOf(fileName);
+  const std::string suffix = suffixOf(unpackedName(fileName));
   if ((' ' + inputSuffixes() + ' ').find(' ' + suffix + ' ') == std::string::npos)
   {
-    throw Failure(
-      EXIT_REFUSED, fileName, "has a suffix that is not known; give one of " + inputSuffixes());
+    throw Failure(EXIT_REFUSED, fileName,
+      "has a suffix that is not known; give one of " + inputSuffixes() +
+        ", those from .ply on also packed as .gz");
   }
   if (const VtkFormat* const format = vtkFormatOf(suffix))
   {
