@@ -2,6 +2,7 @@
 #include "Handles.h"
 #include "files/InputFile.h"
 #include "files/MeshFormats.h"
+#include "files/PointsFile.h"
 #include "files/TableFile.h"
 #include "level/GridContour.h"
 #include "level/LevelMemory.h"
@@ -299,17 +300,32 @@ void takePolygons(winding::MeshArrays& arrays, winding_mesh& mesh)
   }
 }
 
-/// Reads a file of any format.
-winding::MeshArrays readMesh(const winding::InputFile& file, winding::Executor& executor)
+/// Reads a file of any format. Where columns are chosen, it must have some.
+winding::MeshArrays readMesh(
+  const winding::InputFile& file, const winding::ColumnChoice& columns, winding::Executor& executor)
 {
   const winding::MeshFormat& format = winding::formatOf(file);
+  if (!columns.empty() && !format.hasColumns)
+  {
+    file.refuse("has no columns; choose none");
+  }
   if (format.read)
   {
-    return format.read(file, executor);
+    return format.hasColumns ? winding::readPointColumns(file, columns, nullptr, executor)
+                             : format.read(file, executor);
   }
   winding::TableOptions options;
   options.separator = format.separator;
+  options.columns = columns;
   return winding::readPointTable(file, options, executor).points;
+}
+
+/// Gives a mesh what was read, and warns of what was not.
+void takeMesh(winding::MeshArrays arrays, Call& call, winding_mesh& made)
+{
+  call.warn(arrays.notes);
+  takePoints(arrays, made);
+  takePolygons(arrays, made);
 }
 
 /// Makes a mesh of a file by read(file, call, mesh).
@@ -490,11 +506,17 @@ winding_status winding_read(
 {
   return readFile(path, run, mesh, refusal,
     [](const winding::InputFile& file, Call& call, winding_mesh& made)
+    { takeMesh(readMesh(file, {}, call.executor), call, made); });
+}
+
+winding_status winding_read_columns(const char* path, const char* columns, const winding_run* run,
+  winding_mesh** mesh, winding_refusal* refusal)
+{
+  return readFile(path, run, mesh, refusal,
+    [columns](const winding::InputFile& file, Call& call, winding_mesh& made)
     {
-      winding::MeshArrays arrays = readMesh(file, call.executor);
-      call.warn(arrays.notes);
-      takePoints(arrays, made);
-      takePolygons(arrays, made);
+      const winding::ColumnChoice choice(&required(columns, "columns"));
+      takeMesh(readMesh(file, choice, call.executor), call, made);
     });
 }
 

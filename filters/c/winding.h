@@ -911,6 +911,22 @@ extern "C"
     const char* path, const winding_run* run, winding_mesh** mesh, winding_refusal* refusal);
 
   /**
+   * Reads points as winding_read() does, from chosen columns: .csv, .tsv, .xyz or .pwn by its name.
+   *
+   * @param path in UTF-8
+   * @param columns as "x=Easting y=Northing z=Height nx=4 ny=5 nz=6 area=7", by names or by
+   * numbers from 1 on; what is left out goes by usual names
+   * @param run null for the defaults
+   * @param mesh receives points, and normals and areas where there are any
+   * @param refusal receives why the call was refused, unless it is null
+   *
+   * Where x, y and z are numbers, and the first row has numbers in their columns, the file has no
+   * row of names.
+   */
+  WINDING_API winding_status winding_read_columns(const char* path, const char* columns,
+    const winding_run* run, winding_mesh** mesh, winding_refusal* refusal);
+
+  /**
    * Reads a table of points with a row of names: .csv or .tsv.
    *
    * @param path in UTF-8

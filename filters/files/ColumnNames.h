@@ -1,6 +1,9 @@
 #pragma once
 
+#include "files/InputFile.h"
+
 #include <cstddef>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,11 +25,44 @@ enum class ColumnMeaning
   areas    ///< area
 };
 
+/**
+ * The columns that a user has chosen, as "x=Easting y=Northing z=Height (m) nx=4 ny=5 nz=6 area=7":
+ * names, or numbers from 1 on where no column has that name. Others go by usual names.
+ */
+class ColumnChoice
+{
+public:
+  ColumnChoice() = default;
+
+  /// Blanks, commas or semicolons stand before each choice but the first. Throws Refusal for a text
+  /// that is none.
+  explicit ColumnChoice(const std::string& text);
+
+  bool empty() const { return names_.empty(); }
+
+  /// Whether the positions are chosen by numbers alone, so that a file may have no names.
+  bool needsNoNames() const;
+
+  /// The column chosen for a component, as "nx"; null where none is.
+  const std::string* of(const std::string& component) const;
+
+  /// Throws FileRefusal where one of the columns is none of `names`, or of a vector some component
+  /// is missing.
+  void check(const InputFile& file, const std::vector<std::string>& names) const;
+
+private:
+  std::map<std::string, std::string> names_; ///< of columns, by components
+};
+
 /// The columns that are these, one for each component; none where one of them is missing. Names may
 /// have small letters or large ones, and a unit in brackets behind them. Those with colons are the
 /// ones that ParaView gives to components; where a table has both, they count. Of several columns
 /// with one name the first does.
-std::vector<std::size_t> columnsOf(ColumnMeaning meaning, const std::vector<std::string>& names);
+std::vector<std::size_t> columnsOf(
+  ColumnMeaning meaning, const std::vector<std::string>& names, const ColumnChoice& choice = {});
+
+/// Names for `count` columns that have none: Column 1, Column 2 and so on.
+std::vector<std::string> numberedColumns(std::size_t count);
 
 /// Names for the arrays of these columns, all different, and none of them taken: those of the
 /// columns where that is possible. A column without a name is called Column and its number, from 1

@@ -17,14 +17,14 @@ namespace
 
 /// All formats, in the order in which users are given their suffixes.
 constexpr MeshFormat formats[] = {
-  {".ply", readPly, 0},
-  {".stl", readStl, 0},
-  {".obj", readObj, 0},
-  {".off", readOff, 0},
-  {".xyz", readPoints, 0},
-  {".pwn", readPoints, 0},
-  {".csv", nullptr, ','},
-  {".tsv", nullptr, '\t'},
+  {".ply", readPly, 0, false},
+  {".stl", readStl, 0, false},
+  {".obj", readObj, 0, false},
+  {".off", readOff, 0, false},
+  {".xyz", readPoints, 0, true},
+  {".pwn", readPoints, 0, true},
+  {".csv", nullptr, ',', true},
+  {".tsv", nullptr, '\t', true},
 };
 
 /// Returns the suffix of a file's name in small letters.

@@ -13,9 +13,10 @@ class Executor;
 /// A format of files of meshes and points.
 struct MeshFormat
 {
-  const char* suffix; ///< in small letters, with the dot
+  const char* suffix;                                            ///< in small letters, with the dot
   MeshArrays (*read)(const InputFile& file, Executor& executor); ///< null for tables
-  char separator; ///< of a table (TableFile.h)
+  char separator;                                                ///< of a table (TableFile.h)
+  bool hasColumns; ///< whether the user may choose columns, by readPointColumns() where not a table
 };
 
 /// Returns the format of a file by the suffix of its name. Throws FileRefusal for others.

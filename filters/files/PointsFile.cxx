@@ -10,9 +10,11 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace winding
@@ -32,6 +34,8 @@ struct Layout
   std::size_t numbersPerLine = 3;
   std::array<std::size_t, 3> position = {0, 1, 2};
   std::array<std::size_t, 3> normal = {3, 4, 5};
+  std::optional<std::size_t> area;
+  std::vector<std::string> names; ///< of all columns; none where they have none
   bool hasNormals = false;
   bool hasNames = false;
   bool normalsFollow = false; ///< in lines of their own, after all positions
@@ -122,15 +126,15 @@ std::vector<std::string> wordsOfComment(const InputFile& file)
 }
 
 /// Takes columns by their names. Returns whether all are there.
-bool takeColumns(
-  ColumnMeaning meaning, const std::vector<std::string>& names, std::array<std::size_t, 3>& columns)
+bool takeColumns(ColumnMeaning meaning, const std::vector<std::string>& names,
+  const ColumnChoice& choice, std::array<std::size_t, 3>& columns)
 {
-  const std::vector<std::size_t> found = columnsOf(meaning, names);
+  const std::vector<std::size_t> found = columnsOf(meaning, names, choice);
   std::copy(found.begin(), found.end(), columns.begin());
   return !found.empty();
 }
 
-Layout findLayout(const InputFile& file, const ContentLines& lines)
+Layout findLayout(const InputFile& file, const ContentLines& lines, const ColumnChoice& choice)
 {
   FirstLines first(lines);
   if (!first.nextLine())
@@ -140,7 +144,7 @@ Layout findLayout(const InputFile& file, const ContentLines& lines)
   Layout layout;
   std::vector<std::string> names = namesIn(first.words());
   const bool isComment = first.words().rest().substr(0, 2) == "//";
-  layout.hasNames = takeColumns(ColumnMeaning::positions, names, layout.position);
+  layout.hasNames = takeColumns(ColumnMeaning::positions, names, choice, layout.position);
   if ((layout.hasNames || isComment) && !first.nextLine())
   {
     file.refuseEnd("it holds no points");
@@ -163,18 +167,28 @@ Layout findLayout(const InputFile& file, const ContentLines& lines)
   {
     const std::vector<std::string> words = wordsOfComment(file);
     layout.hasNames = words.size() == layout.numbersPerLine &&
-                      takeColumns(ColumnMeaning::positions, words, layout.position);
+                      takeColumns(ColumnMeaning::positions, words, choice, layout.position);
     names = layout.hasNames ? words : names;
+  }
+  if (!layout.hasNames && !choice.empty())
+  {
+    names = names.empty() ? numberedColumns(layout.numbersPerLine) : names;
+    choice.check(file, names);
+    layout.hasNames = takeColumns(ColumnMeaning::positions, names, choice, layout.position);
   }
   if (layout.hasNames)
   {
-    layout.hasNormals = takeColumns(ColumnMeaning::normals, names, layout.normal);
+    choice.check(file, names);
+    layout.hasNormals = takeColumns(ColumnMeaning::normals, names, choice, layout.normal);
+    const std::vector<std::size_t> areas = columnsOf(ColumnMeaning::areas, names, choice);
+    layout.area = areas.empty() ? std::nullopt : std::optional<std::size_t>(areas[0]);
     if (layout.numbersPerLine != names.size())
     {
       first.words().refuse("holds " + std::to_string(layout.numbersPerLine) +
                            " words, but the first line has " + std::to_string(names.size()) +
                            " names; write one for each column");
     }
+    layout.names = std::move(names);
   }
   else if (layout.numbersPerLine != 3 && layout.numbersPerLine != 6)
   {
@@ -201,8 +215,50 @@ void copyVector(
     [&numbers](std::size_t column) { return numbers[column]; });
 }
 
-/// Reads the lines of a part into positions and normals.
-void readPart(ContentLines::Part& part, const Layout& layout, MeshArrays& mesh)
+/// A column that is read as it is.
+struct OtherColumn
+{
+  std::size_t column;
+  double* numbers; ///< one for each point
+};
+
+/// Makes room for the columns that have no meaning, and appends them to `others`.
+std::vector<OtherColumn> addOthers(const Layout& layout, std::vector<TableColumn>& others)
+{
+  std::set<std::size_t> used(layout.position.begin(), layout.position.end());
+  std::set<std::string> taken;
+  if (layout.hasNormals)
+  {
+    used.insert(layout.normal.begin(), layout.normal.end());
+    taken.insert("Normals");
+  }
+  if (layout.area)
+  {
+    used.insert(*layout.area);
+    taken.insert("Area");
+  }
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < layout.names.size(); ++i)
+  {
+    if (used.count(i) == 0)
+    {
+      columns.push_back(i);
+    }
+  }
+  std::vector<OtherColumn> targets;
+  for (const std::string& name : namesOfArrays(columns, layout.names, taken))
+  {
+    TableColumn& other = others.emplace_back();
+    other.name = name;
+    other.numbers = PlainArray<double>(layout.points);
+    targets.push_back({columns[targets.size()], other.numbers.data()});
+  }
+  return targets;
+}
+
+/// Reads the lines of a part into positions, normals, areas and other columns.
+void readPart(ContentLines::Part& part, const Layout& layout,
+  const std::vector<OtherColumn>& others, MeshArrays& mesh)
 {
   std::vector<double> numbers(layout.numbersPerLine);
   while (part.nextLine())
@@ -227,6 +283,14 @@ void readPart(ContentLines::Part& part, const Layout& layout, MeshArrays& mesh)
     if (layout.hasNormals && !layout.normalsFollow)
     {
       copyVector(numbers, layout.normal, &mesh.normals.doubles[3 * line]);
+    }
+    if (layout.area)
+    {
+      mesh.areas[line] = numbers[*layout.area];
+    }
+    for (const OtherColumn& other : others)
+    {
+      other.numbers[line] = numbers[other.column];
     }
   }
 }
@@ -295,17 +359,27 @@ void tellColors(MeshArrays& mesh)
 
 MeshArrays readPoints(const InputFile& file, Executor& executor)
 {
+  return readPointColumns(file, {}, nullptr, executor);
+}
+
+MeshArrays readPointColumns(const InputFile& file, const ColumnChoice& choice,
+  std::vector<TableColumn>* others, Executor& executor)
+{
   Progress progress(executor);
   progress.set(0, 0.2); // counting takes a fifth of the time
   const ContentLines lines(file, executor, lettersOf(file));
-  const Layout layout = findLayout(file, lines);
+  const Layout layout = findLayout(file, lines, choice);
   MeshArrays mesh;
   mesh.points.doubles = PlainArray<double>(3 * layout.points);
   mesh.normals.doubles = PlainArray<double>(layout.hasNormals ? 3 * layout.points : 0);
+  mesh.areas = PlainArray<double>(layout.area ? layout.points : 0);
+  const std::vector<OtherColumn> targets =
+    others ? addOthers(layout, *others) : std::vector<OtherColumn>();
   progress.set(0.2, 1);
   lines.visit(
     layout.firstLine, lines.count(),
-    [&](std::size_t, ContentLines::Part& part) { readPart(part, layout, mesh); }, executor);
+    [&](std::size_t, ContentLines::Part& part) { readPart(part, layout, targets, mesh); },
+    executor);
   if (!layout.hasNames && !layout.normalsFollow)
   {
     tellColors(mesh);

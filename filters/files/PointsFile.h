@@ -1,8 +1,12 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "files/ColumnNames.h"
 #include "files/InputFile.h"
 #include "files/MeshArrays.h"
+#include "files/TableFile.h"
+
+#include <vector>
 
 namespace winding
 {
@@ -15,13 +19,19 @@ namespace winding
  *
  * Numbers may stand between blanks, commas or semicolons, and have decimal commas where blanks or
  * semicolons stand between them. Names in a line before all others, behind "//" or not, say what
- * the columns are (ColumnNames.h), however many there are. Without names, three columns behind the
- * position are its normal, unless they are colours: none is negative, they are whole numbers up to
- * 65535, or up to 1, and most are no unit vectors. A note then says so.
+ * the columns are (ColumnNames.h), areas too, however many there are. Without names, three columns
+ * behind the position are its normal, unless they are colours: none is negative, they are whole
+ * numbers up to 65535, or up to 1, and most are no unit vectors. A note then says so.
  *
  * Throws FileRefusal for all else, and Interrupted. The result is the same for any number of
  * threads.
  */
 MeshArrays readPoints(const InputFile& file, Executor& executor);
+
+/// Reads points as readPoints() does, from the columns that a user has chosen. Lines need no names
+/// where these are numbers. Appends the other columns to `others`, if that is not null and columns
+/// have names or were chosen.
+MeshArrays readPointColumns(const InputFile& file, const ColumnChoice& choice,
+  std::vector<TableColumn>* others, Executor& executor);
 
 } // namespace winding

@@ -229,30 +229,73 @@ std::string withoutPositions(const std::vector<std::string>& names, char separat
                                 (separator == '\t' ? "tabs" : "commas"));
 }
 
+/// Whether the fields in the columns of positions are numbers, so that a row is no header.
+bool holdsNumbers(
+  const std::vector<std::string>& fields, const ColumnChoice& columns, char separator)
+{
+  const std::vector<std::size_t> positions = columnsOf(ColumnMeaning::positions, fields, columns);
+  return !positions.empty() &&
+         std::all_of(positions.begin(), positions.end(),
+           [&](std::size_t column)
+           {
+             std::string field = fields[column];
+             std::replace(field.begin(), field.end(), separator == ',' ? '.' : ',', '.');
+             double value;
+             return parseNumber(field, value);
+           });
+}
+
+/// Makes a header for a table that has none, and begins where the header was looked for.
+void nameByNumbers(TableHeader& header, char separator)
+{
+  header.names = numberedColumns(header.names.size());
+  header.text.clear();
+  for (const std::string& name : header.names)
+  {
+    header.text += (header.text.empty() ? "" : std::string(1, separator)) + name;
+  }
+  header.text += '\n';
+  header.end = header.start;
+}
+
 /// Reads the header with the first separator that gives it positions. Throws FileRefusal where none
 /// does.
 TableHeader readHeader(const InputFile& file, const TableOptions& options, char& separator)
 {
-  for (const char candidate : {options.separator, ';', ',', '\t'})
+  const bool mayHaveNoNames = options.columns.needsNoNames();
+  for (const bool hasNames : {false, true})
   {
-    separator = candidate;
-    try
+    for (const char candidate : {options.separator, ';', ',', '\t'})
     {
-      TableHeader header = readTableHeader(file, separator, options.bytesPerBlock);
-      if (!columnsOf(ColumnMeaning::positions, header.names).empty())
+      if (!hasNames && !mayHaveNoNames)
       {
-        return header;
+        continue;
       }
-    }
-    catch (const FileRefusal& refusal)
-    {
-      if (refusal.fault() != FileFault::format)
+      separator = candidate;
+      try
       {
-        throw; // else a quotation mark may end its field before another separator
+        TableHeader header = readTableHeader(file, separator, options.bytesPerBlock);
+        if (!hasNames && holdsNumbers(header.names, options.columns, separator))
+        {
+          nameByNumbers(header, separator);
+          return header;
+        }
+        if (hasNames && !columnsOf(ColumnMeaning::positions, header.names, options.columns).empty())
+        {
+          return header;
+        }
+      }
+      catch (const FileRefusal& refusal)
+      {
+        if (refusal.fault() != FileFault::format)
+        {
+          throw; // else a quotation mark may end its field before another separator
+        }
       }
     }
   }
   const TableHeader header = readTableHeader(file, options.separator, options.bytesPerBlock);
+  options.columns.check(file, header.names);
   file.refuse(withoutPositions(header.names, options.separator));
 }
 
@@ -264,7 +307,8 @@ PointTable readPointTable(const InputFile& file, const TableOptions& options, Ex
   TableHeader header = readHeader(file, options, table.separator);
   table.header = std::move(header.text);
   table.names = std::move(header.names);
-  const auto positions = columnsOf(ColumnMeaning::positions, table.names);
+  options.columns.check(file, table.names);
+  const auto positions = columnsOf(ColumnMeaning::positions, table.names, options.columns);
   Progress progress(executor);
   progress.set(0, 0.2); // finding the rows takes a fifth of the time
   const TableRows rows(file, table.separator, header.end, options.bytesPerBlock, executor);
@@ -273,12 +317,13 @@ PointTable readPointTable(const InputFile& file, const TableOptions& options, Ex
   std::set<std::string> taken;
   if (options.normalsAndAreas)
   {
-    if (parser.readInto(
-          table.points.normals.doubles, columnsOf(ColumnMeaning::normals, table.names)))
+    if (parser.readInto(table.points.normals.doubles,
+          columnsOf(ColumnMeaning::normals, table.names, options.columns)))
     {
       taken.insert("Normals");
     }
-    if (parser.readInto(table.points.areas, columnsOf(ColumnMeaning::areas, table.names)))
+    if (parser.readInto(
+          table.points.areas, columnsOf(ColumnMeaning::areas, table.names, options.columns)))
     {
       taken.insert("Area");
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "files/ColumnNames.h"
 #include "files/InputFile.h"
 #include "files/LineBlocks.h"
 #include "files/MeshArrays.h"
@@ -31,6 +32,7 @@ public:
 struct TableOptions
 {
   char separator = ',';         ///< or a tab; another one counts where this gives no positions
+  ColumnChoice columns;         ///< of the user; a table needs no header where they are numbers
   bool normalsAndAreas = true;  ///< whether these columns are read apart, or are like all others
   bool rows = false;            ///< whether the texts of the rows are kept
   TextColumns* texts = nullptr; ///< null where columns that have no meaning are not wanted
@@ -62,12 +64,12 @@ struct PointTable
 
 /**
  * Reads points from a table with a header row (.csv, .tsv): one point for each row, from the
- * columns x, y and z, normals from nx, ny and nz, areas from area, where there are any.
- * columnsOf() says which names mean these, and namesOfArrays() gives the other columns theirs;
- * normals and areas, "Normals" and "Area", are taken. Fields may be in quotation marks, as
- * RFC 4180 has it, blank lines are passed over, and so are a byte order mark, slashes before the
- * first name and a number of points on a line of its own behind the names. Empty fields of
- * positions, normals and areas are NaN. All points are in one vertex cell.
+ * columns x, y and z, normals from nx, ny and nz, areas from area, where there are any, or from
+ * columns that the user has chosen. columnsOf() says which names mean these, and namesOfArrays()
+ * gives the other columns theirs; normals and areas, "Normals" and "Area", are taken. Fields may be
+ * in quotation marks, as RFC 4180 has it, blank lines are passed over, and so are a byte order
+ * mark, slashes before the first name and a number of points on a line of its own behind the names.
+ * Empty fields of positions, normals and areas are NaN. All points are in one vertex cell.
  *
  * Throws FileRefusal for a table without x, y and z, for rows with more or fewer fields than the
  * header, for fields that are no numbers in columns that have to be, and for quotation marks that

@@ -101,9 +101,11 @@ TableHeader readTableHeader(const InputFile& file, char separator, std::size_t b
     }
   };
   Stretch first = visitFirstRow(file, file.textStart(), separator, bytesAtOnce, take);
+  header.start = file.textStart();
   if (namesSeparator)
   {
     header = TableHeader();
+    header.start = first.end;
     first = visitFirstRow(file, first.end, separator, bytesAtOnce, take);
   }
   if (first.isBroken)

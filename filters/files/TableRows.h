@@ -18,7 +18,8 @@ struct TableHeader
 {
   std::string text; ///< as it is in the file, and the end of its last line; empty if there is none
   std::vector<std::string> names;
-  std::size_t end = 0; ///< the place in the file behind it
+  std::size_t start = 0; ///< the place in the file where it may begin, and blank lines before it
+  std::size_t end = 0;   ///< the place in the file behind it
 };
 
 /// Reads the first row that has anything on it, behind a byte order mark if there is one. Passes

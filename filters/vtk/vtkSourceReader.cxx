@@ -1,6 +1,8 @@
 #include "vtkSourceReader.h"
 
+#include "files/ColumnNames.h"
 #include "files/MeshFormats.h"
+#include "files/PointsFile.h"
 #include "files/TableFile.h"
 #include "messages/Options.h"
 #include "private/output/HandedArrays.h"
@@ -17,6 +19,7 @@
 
 #include <map>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkSourceReader);
 
@@ -75,6 +78,7 @@ vtkSourceReader::vtkSourceReader()
 vtkSourceReader::~vtkSourceReader()
 {
   this->SetFileName(nullptr);
+  this->SetColumns(nullptr);
 }
 
 const char* vtkSourceReader::GetFileExtensions()
@@ -124,6 +128,11 @@ int vtkSourceReader::RequestData(
       this->ErrorCode = errorCodeOf(refusal.fault());
       throw;
     }
+    catch (const winding::Refusal&)
+    {
+      this->ErrorCode = vtkErrorCode::UserError; // of Columns
+      throw;
+    }
   };
   const std::string name = this->FileName ? this->FileName : "";
   const std::string withoutMemory = name + ": there is not enough memory for what it holds";
@@ -144,7 +153,17 @@ void vtkSourceReader::Read(
     this->ReadTable(file, format.separator, executor, output);
     return;
   }
-  winding::MeshArrays mesh = format.read(file, executor);
+  std::vector<winding::TableColumn> others;
+  winding::MeshArrays mesh = format.hasColumns
+                               ? winding::readPointColumns(file, this->ChosenColumns(),
+                                   this->ReadAllColumns ? &others : nullptr, executor)
+                               : format.read(file, executor);
+  for (winding::TableColumn& column : others)
+  {
+    const auto array = winding::handedArray<vtkDoubleArray>(column.numbers, 1);
+    array->SetName(column.name.c_str());
+    output->GetPointData()->AddArray(array);
+  }
   for (const winding::Message& note : mesh.notes)
   {
     vtkWarningMacro(<< file.name() << ": " << winding::lineOf(note));
@@ -157,6 +176,7 @@ void vtkSourceReader::ReadTable(
 {
   winding::TableOptions options;
   options.separator = separator;
+  options.columns = this->ChosenColumns();
   options.normalsAndAreas = this->ReadNormalsAndAreas;
   options.rows = this->KeepRows;
   StringArrays texts;
@@ -181,10 +201,17 @@ void vtkSourceReader::ReadTable(
   *this->Table = std::move(table);
 }
 
+winding::ColumnChoice vtkSourceReader::ChosenColumns() const
+{
+  const std::string text = this->Columns ? this->Columns : "";
+  return text.empty() ? winding::ColumnChoice() : winding::ColumnChoice(text);
+}
+
 void vtkSourceReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Columns: " << (this->Columns ? this->Columns : "(none)") << "\n";
   os << indent << "ReadNormalsAndAreas: " << this->ReadNormalsAndAreas << "\n";
   os << indent << "ReadAllColumns: " << this->ReadAllColumns << "\n";
   os << indent << "KeepRows: " << this->KeepRows << "\n";

@@ -84,6 +84,7 @@
 
 namespace winding
 {
+class ColumnChoice;
 class Executor;
 class InputFile;
 struct PointTable;
@@ -108,6 +109,19 @@ public:
   ///@}
 
   ///@{
+  /**
+   * For tables and points (.csv, .tsv, .xyz, .pwn): the columns to take, as "x=Easting y=Northing
+   * z=Height (m) nx=4 ny=5 nz=6 area=Patch". They are names, or numbers from 1 on where no column
+   * has that name. What is not said goes by the names above. Where x, y and z are numbers, and the
+   * first row has numbers in their columns, the file has no names; the columns are then called
+   * Column 1, Column 2 and so on. A column that is not there, or is taken twice, is an error.
+   * Default: none.
+   */
+  vtkSetStringMacro(Columns);
+  vtkGetStringMacro(Columns);
+  ///@}
+
+  ///@{
   /// For tables: whether the columns nx, ny, nz and area become normals and areas. Otherwise they
   /// are columns like all others. Default: on.
   vtkSetMacro(ReadNormalsAndAreas, bool);
@@ -116,9 +130,9 @@ public:
   ///@}
 
   ///@{
-  /// For tables: whether columns other than positions, normals and areas are read, too. VTK looks
-  /// through all arrays for each one that is added, so ten thousand columns take a second. Default:
-  /// on.
+  /// For tables, and points whose columns have names: whether columns other than positions, normals
+  /// and areas are read, too. VTK looks through all arrays for each one that is added, so ten
+  /// thousand columns take a second. Default: on.
   vtkSetMacro(ReadAllColumns, bool);
   vtkGetMacro(ReadAllColumns, bool);
   vtkBooleanMacro(ReadAllColumns, bool);
@@ -162,11 +176,13 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   char* FileName = nullptr;
+  char* Columns = nullptr;
   bool ReadNormalsAndAreas = true;
   bool ReadAllColumns = true;
   bool KeepRows = false;
 
 private:
+  winding::ColumnChoice ChosenColumns() const;
   void Read(const winding::InputFile& file, winding::Executor& executor, vtkPolyData* output);
   void ReadTable(const winding::InputFile& file, char separator, winding::Executor& executor,
     vtkPolyData* output);

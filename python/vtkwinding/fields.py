@@ -17,6 +17,7 @@ import shutil
 import tempfile
 import threading
 import zlib
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -574,16 +575,26 @@ class Mesh(NamedTuple):
     regions: dict[str, Regions] = {}
 
 
-def read(path: str | os.PathLike[str]) -> Mesh:
+def read(path: str | os.PathLike[str], *,
+         columns: Mapping[str, str | int] | None = None) -> Mesh:
     """Reads an .obj, .off, .ply, .stl, .xyz, .pwn, .csv or .tsv file, which may be packed as .gz: a
-    Mesh. Lines, colours and columns without a meaning are left out."""
+    Mesh. Lines, colours and columns without a meaning are left out.
+
+    Columns of the last four may be chosen, by names or numbers from 1 on, for any of x, y, z, nx,
+    ny, nz and area: columns={"x": "Easting", "y": "Northing", "z": 5}. Where x, y and z are
+    numbers, the file needs no row of names."""
+    chosen = None
+    if columns is not None:
+        chosen = os.fsencode(" ".join(f"{part}={column}" for part, column in columns.items()))
+        if b"\0" in chosen:
+            raise ValueError("columns must be names without null characters")
     name = os.fsencode(path)
     if not name or b"\0" in name:
         raise ValueError("path must be the name of a file, without null characters")
-    return _read_packed(name) if name.lower().endswith(b".gz") else _read(name)
+    return _read_packed(name, chosen) if name.lower().endswith(b".gz") else _read(name, chosen)
 
 
-def _read_packed(name):
+def _read_packed(name, chosen):
     """Reads an unpacked copy in a temporary folder; errors name the file itself."""
     with tempfile.TemporaryDirectory() as folder:
         copy = os.path.join(os.fsencode(folder), os.path.basename(name)[:-3])
@@ -593,16 +604,20 @@ def _read_packed(name):
         except (OSError, EOFError, zlib.error) as error:
             raise WindingError(f"{os.fsdecode(name)}: cannot be unpacked: {error}") from error
         try:
-            return _read(copy)
+            return _read(copy, chosen)
         except WindingError as error:
             text = str(error).replace(os.fsdecode(copy), os.fsdecode(name))
             raise type(error)(text) from None
 
 
-def _read(name):
+def _read(name, chosen):
     handle = _library.Handle("winding_mesh_free")
-    _library.call("winding_read", ctypes.c_char_p(name), _library.RUN,
-                  ctypes.byref(handle.pointer))
+    if chosen is None:
+        _library.call("winding_read", ctypes.c_char_p(name), _library.RUN,
+                      ctypes.byref(handle.pointer))
+    else:
+        _library.call("winding_read_columns", ctypes.c_char_p(name), ctypes.c_char_p(chosen),
+                      _library.RUN, ctypes.byref(handle.pointer))
     arrays = _library.arrays_of(handle)
     points = arrays["points"]
     faces, regions = None, {}

@@ -192,6 +192,42 @@ TEST_F(NormalsCommand, LeaveOutPointsThatHaveNone)
   EXPECT_EQ(runProgram({"check", folder.path("a.xyz")}).err, "");
 }
 
+TEST_F(NormalsCommand, KeepWhatPointsCameWith)
+{
+  // A table with other names, colours, an intensity and words; without normals.
+  std::string table = "East;North;Up;r;g;b;Intensity (dB);class\n";
+  for (const auto& at : sphere(3).points)
+  {
+    table += std::to_string(at[0]) + ";" + std::to_string(at[1]) + ";" + std::to_string(at[2]) +
+             ";255;128;0;0.5;\"a, b\"\n";
+  }
+  const std::string in = folder.write("in.csv", table);
+  const std::vector<std::string> columns = {"--columns", "x=East", "y=North", "z=Up"};
+  ASSERT_EQ(this->run(in, "out.csv", columns).err, "");
+  const std::string csv = contentsOf(folder.path("out.csv"));
+  EXPECT_EQ(csv.substr(0, csv.find('\n')), "x,y,z,nx,ny,nz,area,r,g,b,Intensity (dB),class");
+  EXPECT_NE(csv.find(",255,128,0,0.5,\"a, b\"\n"), std::string::npos);
+  ASSERT_EQ(this->run(in, "out.ply", columns).err, "");
+  const std::string ply = contentsOf(folder.path("out.ply"));
+  EXPECT_NE(ply.find("property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                     "property double Intensity_(dB)\nend_header\n"),
+    std::string::npos)
+    << ply.substr(0, 400);
+  EXPECT_EQ(static_cast<unsigned char>(ply[ply.size() - 11]), 255); // red before 2 and 8 bytes
+  // Colours come back from PLY, and columns by numbers from a file without names.
+  ASSERT_EQ(this->run(folder.path("out.ply"), "again.csv", {"--replace"}).err, "");
+  const std::string again = contentsOf(folder.path("again.csv"));
+  EXPECT_EQ(again.substr(0, again.find('\n')), "x,y,z,nx,ny,nz,area,red,green,blue");
+  const std::string bare = folder.write("bare.csv", table.substr(table.find('\n') + 1));
+  ASSERT_EQ(this->run(bare, "bare.ply", {"--columns", "x=1", "y=2", "z=3"}).err, "");
+  EXPECT_TRUE(this->run(in, "out.csv").saysInOneLine({"in.csv: has no columns x, y and z"}));
+  EXPECT_TRUE(
+    this->run(in, "out.csv", {"--columns", "x=Easting"}).saysInOneLine({"no column Easting"}));
+  EXPECT_TRUE(this->run(folder.path("out.ply"), "a.csv", {"--columns", "x=1"})
+                .saysInOneLine({"--columns is for .csv .tsv .xyz .pwn"}));
+  EXPECT_TRUE(this->run(in, "a.csv", {"--columns", "East"}).saysInOneLine({"x=Easting"}));
+}
+
 TEST_F(NormalsCommand, OfNothingOrOfPointsThatAreFewAreRefusedOrWarnedOf)
 {
   const Outcome nothing = this->run(folder.write("no.pwn", "0\n"), "a.ply");

@@ -231,6 +231,12 @@ inline const Call allCalls[] = {
     {
       return winding_read(a.meshFile.name(), &a.run, &a.madeMesh, &a.refusal);
     }},
+  {"winding_read_columns",
+    [](Arguments& a)
+    {
+      return winding_read_columns(
+        a.tableFile.name(), "x=nx y=ny z=nz nx=x ny=y nz=3", &a.run, &a.madeMesh, &a.refusal);
+    }},
   {"winding_read_table",
     [](Arguments& a)
     {

@@ -127,6 +127,15 @@ TEST(Border, RefusesStructsWithoutASizeAndNullPointers)
   winding_run noSize = {};
   EXPECT_EQ(winding_lay_out_grid(&request, &noSize, &a.grid, &a.refusal), WINDING_MISUSED);
   EXPECT_EQ(winding_read("", nullptr, &a.madeMesh, nullptr), WINDING_MISUSED);
+  const char* const table = a.tableFile.name();
+  EXPECT_EQ(winding_read_columns(table, nullptr, nullptr, &a.madeMesh, nullptr), WINDING_MISUSED);
+  for (const char* const columns : {"", "x", "x=none", "x=y", "x=1 x=2", "nx=1", "x=1 y=2 z=9"})
+  {
+    EXPECT_EQ(winding_read_columns(table, columns, nullptr, &a.madeMesh, nullptr), WINDING_REFUSED)
+      << columns;
+  }
+  EXPECT_EQ(
+    winding_read_columns(a.meshFile.name(), "x=1", nullptr, &a.madeMesh, nullptr), WINDING_REFUSED);
   EXPECT_EQ(winding_solids(a.points, &a.polygons, &noSize, a.solids.data(), nullptr, nullptr),
     WINDING_MISUSED);
   winding_field_free(nullptr);

@@ -233,6 +233,35 @@ TEST(PointsFile, ACommentBeforeThePointsMayNameTheColumns)
     (std::vector<double>{1, 2, 3}));
 }
 
+TEST(PointsFile, ColumnsMayBeChosen)
+{
+  const auto read = [](const std::string& text, const std::string& columns)
+  {
+    const TemporaryFile file(text);
+    SerialExecutor serial;
+    std::vector<TableColumn> others;
+    MeshArrays cloud =
+      readPointColumns(InputFile(file.name()), ColumnChoice(columns), &others, serial);
+    std::string names;
+    for (const TableColumn& other : others)
+    {
+      names += other.name + "=" + std::to_string(std::lround(other.numbers[0])) + " ";
+    }
+    return std::make_pair(std::move(cloud), names);
+  };
+  const auto [plain, rest] = read("9 1 2 3 4 0 0 1\n", "x=2 y=3 z=4 area=5 nx=6 ny=7 nz=8");
+  EXPECT_EQ(vectorOf(plain.points.doubles), (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(vectorOf(plain.normals.doubles), (std::vector<double>{0, 0, 1}));
+  EXPECT_EQ(vectorOf(plain.areas), (std::vector<double>{4}));
+  EXPECT_EQ(rest, "Column 1=9 ");
+  const auto [named, others] = read("//East North Height R area\n1\n1;2;3;7;5\n", "x=East y=North");
+  EXPECT_EQ(vectorOf(named.points.doubles), (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(vectorOf(named.areas), (std::vector<double>{5}));
+  EXPECT_EQ(others, "R=7 ");
+  EXPECT_THROW(read("1 2 3\n", "z=4"), FileRefusal);
+  EXPECT_THROW(read("E N H\n1 2 3\n", "x=E y=N z=Z"), FileRefusal);
+}
+
 TEST(PointsFile, ColoursMayBeMeansOfOthers)
 {
   std::string text;

@@ -580,4 +580,64 @@ TEST(TableFile, ChangesMeanwhileAreRefused)
   EXPECT_EQ(wordsFor(brief, 2), "cannot be read to its end");
 }
 
+Table readChosen(const std::string& contents, const std::string& columns)
+{
+  SerialExecutor serial;
+  TableOptions options;
+  KeptTexts texts;
+  options.columns = ColumnChoice(columns);
+  options.texts = &texts;
+  const TemporaryFile file(contents);
+  return {readPointTable(InputFile(file.name()), options, serial), texts.all()};
+}
+
+TEST(ChosenColumns, AreTakenByNamesAndNumbers)
+{
+  const Numbers expected = {1, 2, 3};
+  for (const auto& [contents, columns] : std::vector<std::pair<std::string, std::string>>{
+         {"East (m),North (m),z\n1,2,3\n", "x=East (m) y=North (m)"},
+         {"E,N,H\n1,2,3\n", "x=e y=n, z=h"}, {"id,E,N,H\n9,1,2,3\n", "x=2;y=3;z=4"},
+         {"9,1,2,3\n", "x=2 y=3 z=4"}, {"9;1,0;2,0;3,0\n", "x=2 y=3 z=4"},
+         {"\n3\t2\t1\n", "x=3 y=2 z=1"}, {"sep=;\n1;2;3\n", "x=1 y=2 z=3"},
+         {"\"x\",2,3,1\n1,2,3,7\n", "x=x y=2 z=3"}})
+  {
+    const Table table = readChosen(contents, columns);
+    EXPECT_EQ(vectorOf(table.points.points.doubles), expected) << contents << columns;
+  }
+  const Table table = readChosen("1;2;3;0;0;1;8;text\n", "x=1 y=2 z=3 nx=4 ny=5 nz=6 area=7");
+  EXPECT_EQ(vectorOf(table.points.normals.doubles), (Numbers{0, 0, 1}));
+  EXPECT_EQ(vectorOf(table.points.areas), (Numbers{8}));
+  ASSERT_EQ(table.columns.size(), 1U);
+  EXPECT_EQ(table.columns[0].name, "Column 8");
+  EXPECT_EQ(
+    table.header, "Column 1;Column 2;Column 3;Column 4;Column 5;Column 6;Column 7;Column 8\n");
+}
+
+TEST(ChosenColumns, ThatMakeNoSenseAreRefused)
+{
+  const auto refusal = [](const std::string& columns)
+  {
+    try
+    {
+      readChosen("x,y,z,nx,a b\n1,2,3,4,5\n", columns);
+    }
+    catch (const Refusal& refused)
+    {
+      return std::string(refused.what());
+    }
+    return std::string("nothing");
+  };
+  EXPECT_EQ(refusal("x=a b"), "nothing");
+  for (const char* const text : {"x", "=a", "x=", "w=1", "a x=1", "x=1 x=2"})
+  {
+    EXPECT_NE(refusal(text).find("x=Easting"), std::string::npos) << text << refusal(text);
+  }
+  EXPECT_NE(
+    refusal("x=c").find("no column c for x; its columns are x, y, z, nx, a b"), std::string::npos);
+  EXPECT_NE(refusal("x=0").find("no column 0"), std::string::npos);
+  EXPECT_NE(refusal("x=6").find("no column 6"), std::string::npos);
+  EXPECT_NE(refusal("x=y").find("column y is taken twice"), std::string::npos);
+  EXPECT_NE(refusal("nx=nx").find("no columns for all of nx, ny and nz"), std::string::npos);
+}
+
 } // namespace

@@ -225,6 +225,17 @@ class FunctionsTest(unittest.TestCase):
             self.assertIsNone(cloud.faces)
             self.assertGreater(Field(cloud).area, 0)
             self.assertEqual(vtkwinding.report(cloud)["normals"], 1)
+            path = pathlib.Path(folder, "survey.csv")
+            path.write_text("Easting;Höhe;Northing;a b\n1;3,5;2;9\n")
+            columns = {"x": "Easting", "y": "northing", "z": "Höhe", "area": "a b"}
+            table = vtkwinding.read(path, columns=columns)
+            self.assertEqual(table.vertices.tolist(), [[1, 2, 3.5]])
+            self.assertEqual(table.areas.tolist(), [9])
+            path.write_text("1,2,3\n4,5,6\n")
+            table = vtkwinding.read(path, columns={"x": 3, "y": 2, "z": 1})
+            self.assertEqual(table.vertices.tolist(), [[3, 2, 1], [6, 5, 4]])
+            with self.assertRaisesRegex(vtkwinding.WindingError, "no column Height for z"):
+                vtkwinding.read(path, columns={"x": 1, "y": 2, "z": "Height"})
             path = pathlib.Path(folder, "points.xyz.gz")
             path.write_bytes(gzip.compress(b"0 0 0 0 0 1\n1 0 0 0 0 1\n"))
             np.testing.assert_array_equal(vtkwinding.read(path).vertices, cloud.vertices)

@@ -188,4 +188,27 @@ TEST(ReaderOfTables, SharedCloudWithAllItsBits)
   }
 }
 
+TEST(ReaderOfTables, TakesChosenColumns)
+{
+  const TextFile table("id,E,N,H\n7,1,2,3\n", ".csv"), points("7 1 2 3\n", ".xyz");
+  for (const auto& [file, columns] :
+    {std::make_pair(&table, "x=E y=N z=H"), std::make_pair(&points, "x=2 y=3 z=4")})
+  {
+    vtkNew<vtkSourceReader> reader;
+    const ErrorLog log(reader);
+    reader->SetFileName(file->path());
+    reader->SetColumns(columns);
+    reader->Update();
+    EXPECT_EQ(log.errors(), "");
+    expectRow(reader->GetOutput()->GetPoints()->GetData(), 0, 1, 2, 3);
+    ASSERT_EQ(reader->GetOutput()->GetPointData()->GetNumberOfArrays(), 1);
+    EXPECT_EQ(reader->GetOutput()->GetPointData()->GetArray(0)->GetTuple1(0), 7);
+    reader->SetColumns("x=E,y");
+    reader->Update();
+    EXPECT_NE(log.errors(), "");
+    EXPECT_NE(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+    EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+  }
+}
+
 } // namespace

@@ -17,24 +17,6 @@ namespace
 
 constexpr std::size_t bytesAtOnce = 1 << 18;
 
-/// A name as a field of a table: in quotes where readers would take it apart or trim it otherwise.
-std::string asField(const std::string& name, char separator)
-{
-  const bool isPlain = name.find(separator) == std::string::npos &&
-                       name.find('"') == std::string::npos && name.front() != ' ' &&
-                       name.back() != ' ';
-  if (isPlain)
-  {
-    return name;
-  }
-  std::string field = "\"";
-  for (const char c : name)
-  {
-    field += c == '"' ? std::string("\"\"") : std::string(1, c);
-  }
-  return field + "\"";
-}
-
 } // namespace
 
 void writeTable(const AnswerTable& table, OutputFile& file)

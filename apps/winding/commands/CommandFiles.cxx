@@ -17,10 +17,11 @@ namespace
 {
 
 /// Reads a file on the first rank; the others get a data set without points.
-vtkSmartPointer<vtkDataObject> readOnFirstRank(const std::string& fileName, Messages& messages)
+vtkSmartPointer<vtkDataObject> readOnFirstRank(
+  const std::string& fileName, const Options& options, Messages& messages)
 {
   vtkSmartPointer<vtkDataObject> data = vtkSmartPointer<vtkPolyData>::New();
-  parallel::agreeOnFirst([&] { data = readInput(fileName, messages); });
+  parallel::agreeOnFirst([&] { data = readInput(fileName, messages, {options.columns, false}); });
   return data;
 }
 
@@ -53,13 +54,13 @@ vtkSmartPointer<vtkDataObject> readSource(const Options& options, Messages& mess
   const std::vector<std::string>& files = options.inputs;
   if (files.size() == 1)
   {
-    return readOnFirstRank(files[0], messages);
+    return readOnFirstRank(files[0], options, messages);
   }
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   for (const std::string& file : files)
   {
     const unsigned int block = blocks->GetNumberOfBlocks();
-    blocks->SetBlock(block, readOnFirstRank(file, messages));
+    blocks->SetBlock(block, readOnFirstRank(file, options, messages));
     blocks->GetMetaData(block)->Set(
       vtkCompositeDataSet::NAME(), std::filesystem::path(unpackedName(file)).stem().c_str());
   }

@@ -152,7 +152,8 @@ void runNormals(const Options& options, Messages& messages)
 {
   const Stopwatch stopwatch;
   OutputFile output(options.output, filesToKeep(options));
-  const vtkSmartPointer<vtkPointSet> input = readPoints(options.inputs[0], messages);
+  const vtkSmartPointer<vtkPointSet> input =
+    readPoints(options.inputs[0], messages, {options.columns, true});
   Figures figures = {input->GetNumberOfPoints(), input->GetPointData()->GetNormals() != nullptr,
     false, stopwatch.seconds(), 0, 0};
   if (figures.given == 0)

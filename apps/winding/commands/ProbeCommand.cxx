@@ -71,8 +71,8 @@ void readQueries(const Options& options, Messages& messages, Queries& queries)
         "the columns of the queries are kept as they are; give it their suffix " +
           suffixOf(unpacked));
     }
-    queries.table.emplace(
-      options.queries, isHandedOn ? QueryTable::With::rows : QueryTable::With::columns, messages);
+    const auto with = isHandedOn ? QueryTable::With::rows : QueryTable::With::columns;
+    queries.table.emplace(options.queries, with, options.columns, messages);
     checkColumns([&](const std::string& name) { return queries.table->hasColumn(name); }, options);
     queries.points = queries.table->points();
     return;
@@ -82,7 +82,7 @@ void readQueries(const Options& options, Messages& messages, Queries& queries)
     checkColumns(
       [](const std::string& name) { return name == "x" || name == "y" || name == "z"; }, options);
   }
-  queries.points = readPoints(options.queries, messages);
+  queries.points = readPoints(options.queries, messages, {options.columns, true});
 }
 
 void printReport(const Options& options, vtkWindingNumberProbe& probe, const ProbeAnswer& probed,

@@ -122,3 +122,20 @@ std::string exact(const double vector[3], char separator)
 {
   return exact(vector[0]) + separator + exact(vector[1]) + separator + exact(vector[2]);
 }
+
+std::string asField(const std::string& text, char separator)
+{
+  const bool isPlain = text.find(separator) == std::string::npos &&
+                       text.find_first_of("\"\r\n") == std::string::npos &&
+                       (text.empty() || (text.front() != ' ' && text.back() != ' '));
+  if (isPlain)
+  {
+    return text;
+  }
+  std::string field = "\"";
+  for (const char c : text)
+  {
+    field += c == '"' ? std::string("\"\"") : std::string(1, c);
+  }
+  return field + "\"";
+}

@@ -36,3 +36,7 @@ std::string exact(const double vector[3], char separator);
 
 /// Appends exact(value) to a text.
 void appendExact(std::string& text, double value);
+
+/// Returns a text as a field of a table: in quotation marks where readers would take it apart or
+/// trim it otherwise.
+std::string asField(const std::string& text, char separator);

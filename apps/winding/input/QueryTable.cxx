@@ -7,10 +7,12 @@
 #include "vtkSourceReader.h"
 #include "vtkStringArray.h"
 
-QueryTable::QueryTable(const std::string& fileName, With with, Messages& messages)
+QueryTable::QueryTable(
+  const std::string& fileName, With with, const std::string& columns, Messages& messages)
   : reader_(vtkSmartPointer<vtkSourceReader>::New())
 {
   reader_->ReadNormalsAndAreasOff(); // a column "area" may have any words here
+  reader_->SetColumns(columns.c_str());
   reader_->SetReadAllColumns(with == With::columns);
   reader_->SetKeepRows(with == With::rows);
   readBy(reader_, fileName, messages);

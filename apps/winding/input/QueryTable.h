@@ -19,8 +19,10 @@ public:
     columns ///< arrays of all columns
   };
 
-  /// Reads the points. Throws Failure for whatever is no table of points.
-  QueryTable(const std::string& fileName, With with, Messages& messages);
+  /// Reads the points from the chosen columns (vtkSourceReader::SetColumns()). Throws Failure for
+  /// whatever is no table of points.
+  QueryTable(
+    const std::string& fileName, With with, const std::string& columns, Messages& messages);
   ~QueryTable();
 
   vtkPointSet* points() const;

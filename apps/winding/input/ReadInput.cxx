@@ -41,7 +41,8 @@ bool haveLostDigits(vtkDataObject* data)
   return precision == SinglePrecision::movesPoints || precision == SinglePrecision::collapsesPoints;
 }
 
-vtkSmartPointer<vtkDataObject> read(const std::string& fileName, Messages& messages)
+vtkSmartPointer<vtkDataObject> read(
+  const std::string& fileName, Messages& messages, const ColumnOptions& columns)
 {
   const std::string suffix = suffixOf(unpackedName(fileName));
   if ((' ' + inputSuffixes() + ' ').find(' ' + suffix + ' ') == std::string::npos)
@@ -56,17 +57,19 @@ vtkSmartPointer<vtkDataObject> read(const std::string& fileName, Messages& messa
     return readInProcess(fileName, *format, messages);
   }
   vtkNew<vtkSourceReader> reader;
-  reader->ReadAllColumnsOff();
+  reader->SetReadAllColumns(columns.areAll);
+  reader->SetColumns(columns.chosen.c_str());
   readBy(reader, fileName, messages);
   return reader->GetOutput();
 }
 
 } // namespace
 
-vtkSmartPointer<vtkDataObject> readInput(const std::string& fileName, Messages& messages)
+vtkSmartPointer<vtkDataObject> readInput(
+  const std::string& fileName, Messages& messages, const ColumnOptions& columns)
 {
   messages.setSubject(fileName);
-  auto data = read(fileName, messages);
+  auto data = read(fileName, messages, columns);
   if (haveLostDigits(data))
   {
     messages.warn(
@@ -77,9 +80,10 @@ vtkSmartPointer<vtkDataObject> readInput(const std::string& fileName, Messages& 
   return data;
 }
 
-vtkSmartPointer<vtkPointSet> readPoints(const std::string& fileName, Messages& messages)
+vtkSmartPointer<vtkPointSet> readPoints(
+  const std::string& fileName, Messages& messages, const ColumnOptions& columns)
 {
-  const auto data = readInput(fileName, messages);
+  const auto data = readInput(fileName, messages, columns);
   vtkSmartPointer<vtkPointSet> points = vtkPointSet::SafeDownCast(data);
   if (!points)
   {

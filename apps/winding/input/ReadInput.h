@@ -9,15 +9,24 @@ class vtkDataObject;
 class vtkPointSet;
 class vtkSourceReader;
 
+/// The columns that are read of tables and points; other files have none.
+struct ColumnOptions
+{
+  std::string chosen;  ///< for vtkSourceReader::SetColumns()
+  bool areAll = false; ///< whether columns without a meaning are read, too
+};
+
 /**
  * Reads a surface, grid or cloud, or blocks of these, by the suffix of its name, one of
  * inputSuffixes(). Throws Failure for whatever cannot be read in full, in one line that says why.
  * Coordinates are in the file's own precision: double for text, for binary files what they have.
  */
-vtkSmartPointer<vtkDataObject> readInput(const std::string& fileName, Messages& messages);
+vtkSmartPointer<vtkDataObject> readInput(
+  const std::string& fileName, Messages& messages, const ColumnOptions& columns = {});
 
 /// Reads a file as readInput() does, and throws Failure where it has blocks.
-vtkSmartPointer<vtkPointSet> readPoints(const std::string& fileName, Messages& messages);
+vtkSmartPointer<vtkPointSet> readPoints(
+  const std::string& fileName, Messages& messages, const ColumnOptions& columns = {});
 
 /// Reads a file with a reader of the module, which believes nothing that the file does not hold,
 /// and shows its progress. Throws Failure as readInput() does.

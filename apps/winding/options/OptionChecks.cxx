@@ -193,6 +193,22 @@ void checkLabels(const Options& options, const WasGiven& wasGiven)
     "--pieces is for images; give the output the suffix .vti or .pvti, or leave it out");
 }
 
+/// Throws Failure for columns where no file that is read has some.
+void checkColumns(const Options& options)
+{
+  std::vector<std::string> files = options.inputs;
+  files.push_back(options.queries);
+  requireUsage(options.columns.empty() || std::any_of(files.begin(), files.end(),
+                                            [](const std::string& file)
+                                            {
+                                              const std::string suffix =
+                                                suffixOf(unpackedName(file));
+                                              return suffix == ".csv" || suffix == ".tsv" ||
+                                                     suffix == ".xyz" || suffix == ".pwn";
+                                            }),
+    "--columns is for .csv .tsv .xyz .pwn; leave it out");
+}
+
 } // namespace
 
 void checkRanges(const CLI::App& command)
@@ -211,6 +227,7 @@ void checkRanges(const CLI::App& command)
 
 void checkOptions(const Options& options, const WasGiven& wasGiven)
 {
+  checkColumns(options);
   if (options.command == "check")
   {
     checkCheck(options, wasGiven);

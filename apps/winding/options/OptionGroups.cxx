@@ -39,6 +39,29 @@ void addGrid(CLI::App* command, Options& options)
   }
 }
 
+/// Adds which columns of tables are read.
+void addColumns(CLI::App* command, Options& options)
+{
+  command
+    ->add_option_function<std::vector<std::string>>(
+      "--columns",
+      [&options](const std::vector<std::string>& words)
+      {
+        for (const std::string& word : words)
+        {
+          if (word.find('=') == std::string::npos)
+          {
+            throw CLI::ValidationError(
+              "--columns", word + " is not like x=Easting; give the files first");
+          }
+          options.columns += (options.columns.empty() ? "" : " ") + word;
+        }
+      },
+      "Columns of .csv .tsv .xyz .pwn by names, or by numbers from 1 on: x=Easting y=Northing "
+      "z=Height nx=4 ny=5 nz=6 area=7")
+    ->type_name("NAME=COLUMN...");
+}
+
 } // namespace
 
 void addSurfaceCells(CLI::App* command, Options& options)
@@ -81,6 +104,7 @@ void addInputs(CLI::App* command, Options& options)
     ->add_option("IN", options.inputs, "Surfaces or oriented points, " + several + inputSuffixes())
     ->required()
     ->type_name("");
+  addColumns(command, options);
 }
 
 void addInputsAndQueries(CLI::App* command, Options& options)
@@ -92,6 +116,7 @@ void addInputsAndQueries(CLI::App* command, Options& options)
         inputSuffixes())
     ->required()
     ->type_name("");
+  addColumns(command, options);
 }
 
 void addPointsInput(CLI::App* command, Options& options)
@@ -100,6 +125,7 @@ void addPointsInput(CLI::App* command, Options& options)
     ->required()
     ->expected(1)
     ->type_name("");
+  addColumns(command, options);
 }
 
 void addOutput(CLI::App* command, Options& options, const std::string& suffixes)

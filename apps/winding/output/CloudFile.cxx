@@ -6,15 +6,22 @@
 #include "output/WriteOutput.h"
 #include "program/Interrupt.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkVariant.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <map>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -58,9 +65,65 @@ void writeParts(vtkDataArray* positions, vtkDataArray* normals, std::ofstream& s
   }
 }
 
-void writeTable(vtkDataArray* positions, vtkDataArray* normals, vtkDataArray* areas, char separator,
-  std::ofstream& stream)
+/// A column that the points came with, one component of an array.
+struct Column
 {
+  std::string name;
+  vtkAbstractArray* array;
+  int component;
+
+  vtkDataArray* numbers() const { return vtkDataArray::SafeDownCast(array); }
+};
+
+/// Returns the columns of all arrays but normals and areas. Their names differ from `taken`, which
+/// are in small letters, and from each other.
+std::vector<Column> otherColumns(vtkPolyData* cloud, std::set<std::string> taken)
+{
+  const char* const colors[] = {"red", "green", "blue", "alpha"};
+  vtkPointData* const arrays = cloud->GetPointData();
+  std::vector<Column> columns;
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* const array = arrays->GetAbstractArray(i);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    const int components = array->GetNumberOfComponents();
+    if (array == arrays->GetNormals() || name == "Area")
+    {
+      continue;
+    }
+    const bool areColors =
+      array->GetDataType() == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
+    for (int component = 0; component < components; ++component)
+    {
+      std::string own = areColors         ? colors[component]
+                        : components == 1 ? name
+                                          : name + ":" + std::to_string(component);
+      while (own.empty() || !taken.insert(inSmallLetters(own)).second)
+      {
+        own += "_input";
+      }
+      columns.push_back({own, array, component});
+    }
+  }
+  return columns;
+}
+
+std::string fieldOf(const Column& column, vtkIdType point, char separator)
+{
+  if (vtkDataArray* const numbers = column.numbers())
+  {
+    return exact(numbers->GetComponent(point, column.component));
+  }
+  const vtkIdType place = point * column.array->GetNumberOfComponents() + column.component;
+  return asField(column.array->GetVariantValue(place).ToString(), separator);
+}
+
+void writeTable(vtkPolyData* cloud, char separator, std::ofstream& stream)
+{
+  vtkDataArray* const normals = cloud->GetPointData()->GetNormals();
+  vtkDataArray* const areas = cloud->GetPointData()->GetArray("Area");
+  const std::vector<Column> columns =
+    otherColumns(cloud, {"x", "y", "z", "nx", "ny", "nz", "area"});
   for (const char* name : {"x", "y", "z", "nx", "ny"})
   {
     stream << name << separator;
@@ -70,8 +133,12 @@ void writeTable(vtkDataArray* positions, vtkDataArray* normals, vtkDataArray* ar
   {
     stream << separator << "area";
   }
+  for (const Column& column : columns)
+  {
+    stream << separator << asField(column.name, separator);
+  }
   stream << '\n';
-  forEachTuple(positions,
+  forEachTuple(cloud->GetPoints()->GetData(),
     [&](vtkIdType point, const double position[3])
     {
       double normal[3];
@@ -80,6 +147,10 @@ void writeTable(vtkDataArray* positions, vtkDataArray* normals, vtkDataArray* ar
       if (areas)
       {
         stream << separator << exact(areas->GetTuple1(point));
+      }
+      for (const Column& column : columns)
+      {
+        stream << separator << fieldOf(column, point, separator);
       }
       stream << '\n';
     });
@@ -112,8 +183,54 @@ void append(std::string& bytes, const double vector[3], bool asFloat)
   }
 }
 
-void writePly(vtkDataArray* positions, vtkDataArray* normals, std::ofstream& stream)
+/// A property of points in PLY.
+struct Property
 {
+  Column column;
+  bool isByte;
+};
+
+/// Whether all values are whole numbers that a byte holds.
+bool fitBytes(const Column& column)
+{
+  bool fit = true;
+  vtkDataArray* const numbers = column.numbers();
+  for (vtkIdType i = 0; i < numbers->GetNumberOfTuples() && fit; ++i)
+  {
+    const double value = numbers->GetComponent(i, column.component);
+    fit = value >= 0 && value <= 255 && value == std::floor(value);
+  }
+  return fit;
+}
+
+/// Returns the properties that points came with. Colours called r, g and b get the names of PLY.
+std::vector<Property> otherProperties(vtkPolyData* cloud)
+{
+  const std::map<std::string, std::string> colors = {{"r", "red"}, {"g", "green"}, {"b", "blue"},
+    {"red", "red"}, {"green", "green"}, {"blue", "blue"}, {"alpha", "alpha"}};
+  std::vector<Property> properties;
+  for (Column& column : otherColumns(cloud, {"x", "y", "z", "nx", "ny", "nz"}))
+  {
+    if (!column.numbers())
+    {
+      continue; // PLY has no texts
+    }
+    const auto color = colors.find(inSmallLetters(column.name));
+    const bool isByte = (color != colors.end() && fitBytes(column)) ||
+                        column.numbers()->GetDataType() == VTK_UNSIGNED_CHAR;
+    column.name = color != colors.end() && isByte ? color->second : column.name;
+    std::replace_if(
+      column.name.begin(), column.name.end(), [](char c) { return c <= ' ' || c > '~'; }, '_');
+    properties.push_back({column, isByte});
+  }
+  return properties;
+}
+
+void writePly(vtkPolyData* cloud, std::ofstream& stream)
+{
+  vtkDataArray* const positions = cloud->GetPoints()->GetData();
+  vtkDataArray* const normals = cloud->GetPointData()->GetNormals();
+  const std::vector<Property> properties = otherProperties(cloud);
   const std::uint16_t one = 1;
   unsigned char firstByte;
   std::memcpy(&firstByte, &one, 1);
@@ -127,6 +244,11 @@ void writePly(vtkDataArray* positions, vtkDataArray* normals, std::ofstream& str
   {
     stream << "property " << (isFloat(normals) ? "float " : "double ") << name << '\n';
   }
+  for (const Property& property : properties)
+  {
+    stream << "property " << (property.isByte ? "uchar " : "double ") << property.column.name
+           << '\n';
+  }
   stream << "end_header\n";
   std::string bytes;
   forEachTuple(positions,
@@ -137,6 +259,19 @@ void writePly(vtkDataArray* positions, vtkDataArray* normals, std::ofstream& str
       bytes.clear();
       append(bytes, position, isFloat(positions));
       append(bytes, normal, isFloat(normals));
+      for (const Property& property : properties)
+      {
+        const double value =
+          property.column.numbers()->GetComponent(point, property.column.component);
+        if (property.isByte)
+        {
+          append(bytes, static_cast<unsigned char>(value));
+        }
+        else
+        {
+          append(bytes, value);
+        }
+      }
       stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     });
 }
@@ -156,7 +291,7 @@ void writeCloud(vtkPolyData* cloud, OutputFile& file, Messages& messages)
   std::ofstream stream(file.temporaryName(), std::ios::binary);
   if (suffix == ".ply")
   {
-    writePly(positions, normals, stream);
+    writePly(cloud, stream);
   }
   else if (suffix == ".xyz")
   {
@@ -168,8 +303,7 @@ void writeCloud(vtkPolyData* cloud, OutputFile& file, Messages& messages)
   }
   else
   {
-    writeTable(positions, normals, cloud->GetPointData()->GetArray("Area"),
-      separatorOf(file.name()), stream);
+    writeTable(cloud, separatorOf(file.name()), stream);
   }
   stream.close();
   if (!stream)

@@ -8,10 +8,12 @@ class vtkPolyData;
  * Writes points with active normals in the format of the file's suffix; commit() is left to the
  * caller. Numbers keep all their bits, whatever the format.
  *
- * - .ply: binary, with the properties x, y, z, nx, ny, nz, of type float or double as the arrays
+ * - .ply: binary, with the properties x, y, z, nx, ny, nz, of type float or double as the arrays,
+ *   then colours as bytes and other numbers as doubles
  * - .xyz: lines `x y z nx ny nz`
  * - .pwn: the number of points, lines `x y z`, lines `nx ny nz`
- * - .csv, .tsv: columns x, y, z, nx, ny, nz and, for the point data array "Area", area
+ * - .csv, .tsv: columns x, y, z, nx, ny, nz, for the point data array "Area" area, and one for
+ *   each component of other arrays
  * - .vtp, .vtu: with all arrays of the points (WriteOutput.h)
  *
  * The program reads all of them again, with the normals. Throws Failure when the file cannot be

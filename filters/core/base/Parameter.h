@@ -87,6 +87,7 @@ enum class Parameter
   faultThickness,
 
   // tables of points
+  columns,
   readNormalsAndAreas,
   readAllColumns,
   keepRows,
