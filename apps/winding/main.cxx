@@ -1,3 +1,4 @@
+#include "commands/CommandFiles.h"
 #include "commands/Commands.h"
 #include "files/Formats.h"
 #include "options/CommandLine.h"
@@ -88,7 +89,7 @@ void adaptToRanks(Options& options)
   }
 }
 
-void run(const Options& options)
+void run(Options options)
 {
   const std::map<std::string, void (*)(const Options&, Messages&)> commands = {{"field", runField},
     {"surface", runSurface}, {"voxels", runVoxels}, {"labels", runLabels}, {"probe", runProbe},
@@ -102,6 +103,7 @@ void run(const Options& options)
   }
   try
   {
+    parallel::agree([&] { readToward(options, messages); });
     commands.at(options.command)(options, messages);
   }
   catch (const std::bad_alloc&)

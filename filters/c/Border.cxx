@@ -1,5 +1,6 @@
 #include "Border.h"
 
+#include "cloud/Viewpoints.h"
 #include "messages/PropertyChecks.h"
 #include "source/Sanitize.h"
 
@@ -247,6 +248,8 @@ FieldOptions optionsOf(const winding_options* options)
   result.neighbors = wished.number_of_neighbors;
   result.estimateNormals = wished.estimate_normals != 0;
   result.normalEstimation = static_cast<NormalEstimation>(wished.normal_estimation);
+  result.toward = wished.toward ? wished.toward : "";
+  Viewpoints(result.toward); // refuses what is none
   result.orientFaces = wished.orient_faces != 0;
   result.ignoreOpenParts = wished.ignore_open_parts != 0;
   result.scattered = wished.scattered != 0;

@@ -68,8 +68,9 @@ winding_status winding_estimate_normals(winding_array points, const winding_opti
       Call call(run);
       PointCloud cloud = winding::sanitize(std::vector<OrientedPointsView>{view}, call.executor);
       const winding::OutwardNormals found =
-        winding::giveOutwardNormals(cloud, wished.normalEstimation, areasOf(wished), call.executor);
-      if (!found.orientation.isClear())
+        winding::giveOutwardNormals(cloud, wished.normalEstimation,
+          winding::Viewpoints(wished.toward), areasOf(wished), call.executor);
+      if (found.isUnsure())
       {
         call.warn(winding::adviceOnNormals(found.orientation));
       }

@@ -158,9 +158,10 @@ extern "C"
   /** How normals are estimated. */
   typedef enum winding_normal_estimation
   {
-    WINDING_NORMAL_ESTIMATION_AUTO = 0,      /**< the tree, where its field is clear */
-    WINDING_NORMAL_ESTIMATION_TREE = 1,      /**< along a spanning tree: fast */
-    WINDING_NORMAL_ESTIMATION_CONSISTENT = 2 /**< w is a half at all points */
+    WINDING_NORMAL_ESTIMATION_AUTO = 0,       /**< the tree, where its field is clear */
+    WINDING_NORMAL_ESTIMATION_TREE = 1,       /**< along a spanning tree: fast */
+    WINDING_NORMAL_ESTIMATION_CONSISTENT = 2, /**< w is a half at all points */
+    WINDING_NORMAL_ESTIMATION_TOWARD = 3      /**< toward viewpoints; results only, see `toward` */
   } winding_normal_estimation;
 
   /** The choices that a field depends on, apart from its source. */
@@ -179,6 +180,12 @@ extern "C"
     int32_t scattered;         /**< whether points will be asked for, not grids. Default: 0 */
     int32_t source_as_points;  /**< whether faces make a cloud of their points. Default: 0 */
     int32_t mean_point_area;   /**< whether all points get the mean of their areas. Default: 0 */
+    /**
+     * Where points were seen from: estimated normals look there. A position "x y z", several
+     * "x y z; x y z" (each point takes the nearest), a direction "direction x y z", or one
+     * of up, down, +x, -x, +y, -y, +z and -z. It is copied. Default: null, not known
+     */
+    const char* toward;
   } winding_options;
 
   /**

@@ -124,6 +124,7 @@ vtkImplicitWindingNumber::vtkImplicitWindingNumber()
 vtkImplicitWindingNumber::~vtkImplicitWindingNumber()
 {
   this->SetNormalsArray(nullptr);
+  this->SetToward(nullptr);
   this->SetAreaArray(nullptr);
 }
 

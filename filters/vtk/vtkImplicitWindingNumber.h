@@ -117,6 +117,8 @@ public:
   vtkBooleanMacro(EstimateNormals, vtkTypeBool);
   vtkSetMacro(NormalEstimation, int);
   vtkGetMacro(NormalEstimation, int);
+  vtkSetStringMacro(Toward);
+  vtkGetStringMacro(Toward);
   vtkSetMacro(PointAreaMethod, int);
   vtkGetMacro(PointAreaMethod, int);
   vtkSetMacro(NumberOfNeighbors, int);
@@ -167,6 +169,7 @@ protected:
   char* NormalsArray = nullptr;
   vtkTypeBool EstimateNormals = 0;
   int NormalEstimation = vtkWindingNumberAlgorithm::ESTIMATION_AUTOMATIC;
+  char* Toward = nullptr;
   int PointAreaMethod = vtkWindingNumberAlgorithm::VORONOI;
   int NumberOfNeighbors = 20;
   double PointArea = 0;

@@ -143,6 +143,7 @@ vtkPointAreas::vtkPointAreas()
 vtkPointAreas::~vtkPointAreas()
 {
   this->SetNormalsArray(nullptr);
+  this->SetToward(nullptr);
   this->SetResultArrayName(nullptr);
 }
 
@@ -200,6 +201,7 @@ void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
   winding::checkProperty(
     winding::Parameter::pointAreaMethod, this->PointAreaMethod, 3); // without ARRAY
   winding::coreNormalEstimation(this->NormalEstimation);
+  winding::Viewpoints(winding::textOf(this->Toward));
   winding::checkCloudProperties(*this);
   winding::checkProperty(winding::Parameter::numberOfThreads, this->NumberOfThreads);
   const std::vector<vtkPointSet*> pointSets = pointSetsOf(data);
@@ -217,6 +219,7 @@ void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
   properties.field.neighbors = this->NumberOfNeighbors;
   properties.field.pointArea = this->PointArea;
   properties.field.normalEstimation = winding::coreNormalEstimation(this->NormalEstimation);
+  properties.field.toward = winding::textOf(this->Toward);
   ranks.requireSame(
     [&]
     {
@@ -305,13 +308,14 @@ void vtkPointAreas::FindNormalsAndAreas(winding::PointCloud& cloud, winding::Exe
     this->PointArea, this->NumberOfNeighbors};
   if (cloud.normals.size() < cloud.positions.size())
   {
-    const winding::OutwardNormals found = winding::giveOutwardNormals(
-      cloud, winding::coreNormalEstimation(this->NormalEstimation), options, executor);
+    const winding::OutwardNormals found =
+      winding::giveOutwardNormals(cloud, winding::coreNormalEstimation(this->NormalEstimation),
+        winding::Viewpoints(winding::textOf(this->Toward)), options, executor);
     this->NormalEstimationUsed = winding::nameOf(found.estimation);
     this->ClearShare = found.orientation.outward;
     const bool hasAreas =
       std::any_of(cloud.areas.begin(), cloud.areas.end(), [](double area) { return area > 0; });
-    if (hasAreas && !found.orientation.isClear())
+    if (hasAreas && found.isUnsure())
     {
       vtkWarningMacro(<< winding::lineOf(winding::adviceOnNormals(found.orientation)));
     }
@@ -342,6 +346,7 @@ void vtkPointAreas::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NormalsArray: " << winding::textOf(this->NormalsArray) << "\n";
   os << indent << "EstimateNormals: " << this->EstimateNormals << "\n";
   os << indent << "NormalEstimation: " << this->NormalEstimation << "\n";
+  os << indent << "Toward: " << winding::textOf(this->Toward) << "\n";
   os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";

@@ -115,6 +115,13 @@ public:
   ///@}
 
   ///@{
+  /// Where the points were seen from, for the senses of estimated normals; meaning and default are
+  /// as for vtkWindingNumberAlgorithm.
+  vtkSetStringMacro(Toward);
+  vtkGetStringMacro(Toward);
+  ///@}
+
+  ///@{
   /// The name of the array of areas. Default "Area".
   vtkSetStringMacro(ResultArrayName);
   vtkGetStringMacro(ResultArrayName);
@@ -167,6 +174,7 @@ protected:
   char* NormalsArray = nullptr;
   vtkTypeBool EstimateNormals = 0;
   int NormalEstimation = 0;
+  char* Toward = nullptr;
   char* ResultArrayName = nullptr;
   int NumberOfThreads = 0;
   int Status = 0;

@@ -118,6 +118,7 @@ vtkWindingNumberAlgorithm::vtkWindingNumberAlgorithm()
 vtkWindingNumberAlgorithm::~vtkWindingNumberAlgorithm()
 {
   this->SetNormalsArray(nullptr);
+  this->SetToward(nullptr);
   this->SetAreaArray(nullptr);
 }
 

@@ -242,6 +242,18 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Where the points were seen from: estimated normals look there, and NormalEstimation has no
+   * effect. "x y z" is a position, as a scanner's. "x y z; x y z; ..." are several; each point
+   * takes the nearest. "direction x y z" is a direction, and so are "up", "down" and "+x" to
+   * "-z"; up is right for points from the air, which see no undersides. Default: none, and the
+   * field decides what is outward.
+   */
+  vtkSetStringMacro(Toward);
+  vtkGetStringMacro(Toward);
+  ///@}
+
+  ///@{
   /// The way in which the points of a cloud get their areas. Default VORONOI.
   vtkSetMacro(PointAreaMethod, int);
   vtkGetMacro(PointAreaMethod, int);
@@ -522,6 +534,7 @@ protected:
   char* NormalsArray = nullptr;
   vtkTypeBool EstimateNormals = 0;
   int NormalEstimation = ESTIMATION_AUTOMATIC;
+  char* Toward = nullptr;
   int PointAreaMethod = VORONOI;
   int NumberOfNeighbors = 20;
   double PointArea = 0;

@@ -77,7 +77,8 @@ class Options(Sized):
                 ("number_of_neighbors", _int32), ("estimate_normals", _int32),
                 ("normal_estimation", _int32), ("orient_faces", _int32),
                 ("ignore_open_parts", _int32), ("scattered", _int32),
-                ("source_as_points", _int32), ("mean_point_area", _int32)]
+                ("source_as_points", _int32), ("mean_point_area", _int32),
+                ("toward", ctypes.c_char_p)]
 
 
 class FieldInfo(Sized):

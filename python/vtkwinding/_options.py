@@ -75,3 +75,18 @@ def text(name, value):
 def threads(n_threads):
     """The property NumberOfThreads: 0 for all that there are."""
     return 0 if n_threads is None else integer("n_threads", n_threads, 1, 2**31 - 1)
+
+
+def viewpoints(value):
+    """The text of one or several positions, or of a direction, that normals look toward."""
+    if value is None or isinstance(value, str):
+        text_of = value or ""
+    else:
+        positions = np.asarray(value, dtype=float)
+        if positions.shape[-1:] != (3,) or positions.ndim > 2 or not positions.size:
+            raise ValueError(f"toward must be a str or have the shape (3,) or (N, 3), not "
+                             f"{positions.shape}")
+        text_of = "; ".join(" ".join(map(repr, row)) for row in positions.reshape(-1, 3).tolist())
+    if "\0" in text_of:
+        raise ValueError("toward must be without null characters")
+    return text_of.encode()

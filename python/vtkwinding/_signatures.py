@@ -6,6 +6,8 @@ import inspect
 from collections.abc import Callable
 from typing import Any, TypedDict, TypeVar
 
+from numpy.typing import ArrayLike
+
 
 class FieldOptions(TypedDict, total=False):
     """The options of Field that are no arrays."""
@@ -21,6 +23,7 @@ class FieldOptions(TypedDict, total=False):
     ignore_open_parts: bool
     estimate_normals: bool
     normal_estimation: str
+    toward: str | ArrayLike | None
     n_neighbors: int
     point_area: float
     regularization: float

@@ -579,7 +579,8 @@ class WindingAccessor:
 
     def estimate_areas(self, *, method: str = "voronoi", point_area: float = 0,
                        n_neighbors: int = 20, estimate_normals: bool = False,
-                       normal_estimation: str = "auto", normals_array: str | None = None,
+                       normal_estimation: str = "auto", toward: str | ArrayLike | None = None,
+                       normals_array: str | None = None,
                        n_threads: int | None = None, progress_bar: bool = False) -> pv.DataObject:
         """A copy with the point array 'Area': the area that each point of a cloud stands for.
 
@@ -601,6 +602,7 @@ class WindingAccessor:
                 number_of_neighbors=_options.integer("n_neighbors", n_neighbors, 3, 1000),
                 normal_estimation=_options.choice(
                     "normal_estimation", normal_estimation, _options.NORMAL_ESTIMATIONS),
+                toward=_options.viewpoints(toward),
                 threads=_options.threads(n_threads), show=show)
         copy = _fill(_copied(self._mesh), {"areas": areas}, {"Area": "areas"})
         if normals is not None:

@@ -15,6 +15,7 @@ as_points: whether a surface is taken as the cloud of its vertices; default Fals
 orient_faces, ignore_open_parts: for surfaces; default False.
 estimate_normals, normal_estimation, n_neighbors, regularization: for clouds; default False, 'auto'
 (or 'tree' or 'consistent'), 20 and 0.
+toward: where a cloud was seen from, for estimated normals: a position or (N, 3), 'up' or 'down'.
 
 Refused input is a WindingError, wrong arguments are a TypeError or a ValueError.
 """

@@ -108,6 +108,9 @@ class Field:
         Whether a cloud without normals gets estimated ones.
     normal_estimation : {'auto', 'tree', 'consistent'}
         How normals are estimated.
+    toward : str or (3,) or (N, 3) array, optional
+        Where the points were seen from, so that estimated normals look there: a scanner's position,
+        several, of which each point takes the nearest, 'up', 'down' or 'direction x y z'.
     n_neighbors : int
         Neighbours that give a point its area and estimated normal.
     point_area : float
@@ -129,6 +132,7 @@ class Field:
                  longest_expected_time: float = 600, as_points: bool = False,
                  orient_faces: bool = False, ignore_open_parts: bool = False,
                  estimate_normals: bool = False, normal_estimation: str = "auto",
+                 toward: str | ArrayLike | None = None,
                  n_neighbors: int = 20, point_area: float = 0,
                  regularization: float = 0) -> None:
         vertices, faces, normals, areas = _parts(vertices, faces, normals, areas)
@@ -162,11 +166,12 @@ class Field:
             n_threads=n_threads, longest_expected_time=longest_expected_time,
             as_points=as_points, orient_faces=orient_faces, ignore_open_parts=ignore_open_parts,
             estimate_normals=estimate_normals, normal_estimation=normal_estimation,
-            n_neighbors=n_neighbors, point_area=point_area, regularization=regularization)
+            toward=toward, n_neighbors=n_neighbors, point_area=point_area,
+            regularization=regularization)
 
     def _choose(self, *, method, tolerance, threshold, rule, n_threads, longest_expected_time,
                 as_points, orient_faces, ignore_open_parts, estimate_normals, normal_estimation,
-                n_neighbors, point_area, regularization):
+                toward, n_neighbors, point_area, regularization):
         """Checks and sets all that is no array."""
         self._options = {
             "method": _options.choice("method", method, _options.METHODS),
@@ -177,6 +182,7 @@ class Field:
             "estimate_normals": _options.flag("estimate_normals", estimate_normals),
             "normal_estimation": _options.choice(
                 "normal_estimation", normal_estimation, _options.NORMAL_ESTIMATIONS),
+            "toward": _options.viewpoints(toward),
             "orient_faces": _options.flag("orient_faces", orient_faces),
             "ignore_open_parts": _options.flag("ignore_open_parts", ignore_open_parts),
             "source_as_points": _options.flag("as_points", as_points)}
@@ -534,13 +540,15 @@ def orientation_of(points, polygons, count, show=None):
 
 
 def estimate_normals(vertices: ArrayLike, *, normal_estimation: str = "auto",
+                     toward: str | ArrayLike | None = None,
                      n_neighbors: int = 20) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
-    """Outward unit normals (V, 3) and areas (V,) of the points of a cloud."""
+    """Outward unit normals (V, 3) and areas (V,) of the points of a cloud; toward as for Field."""
     points = _numbers.vectors("vertices", vertices)
     options = _library.Options(
         number_of_neighbors=_options.integer("n_neighbors", n_neighbors, 3, 1000),
         normal_estimation=_options.choice(
-            "normal_estimation", normal_estimation, _options.NORMAL_ESTIMATIONS))
+            "normal_estimation", normal_estimation, _options.NORMAL_ESTIMATIONS),
+        toward=_options.viewpoints(toward))
     normals, areas = np.empty((len(points), 3), np.float32), np.empty(len(points))
     _library.call("winding_estimate_normals", _library.array_of(points), ctypes.byref(options),
                   _library.RUN, ctypes.c_void_p(normals.ctypes.data),

@@ -192,6 +192,57 @@ TEST_F(NormalsCommand, LeaveOutPointsThatHaveNone)
   EXPECT_EQ(runProgram({"check", folder.path("a.xyz")}).err, "");
 }
 
+/// The share of points whose written normals look up.
+double shareUp(const std::string& xyz)
+{
+  std::istringstream lines(xyz);
+  double x, y, z, nx, ny, nz, up = 0, all = 0;
+  while (lines >> x >> y >> z >> nx >> ny >> nz)
+  {
+    up += nz > 0 ? 1 : 0;
+    ++all;
+  }
+  return up / all;
+}
+
+TEST_F(NormalsCommand, LookTowardWhereThePointsWereSeenFrom)
+{
+  // Hills from the air.
+  Places places;
+  for (int i = 0; i < 50; ++i)
+  {
+    for (int k = 0; k < 50; ++k)
+    {
+      const double x = 0.1 * i + 0.01 * (k % 3), y = 0.1 * k;
+      places.push_back({x, y, 0.4 * std::sin(2 * x) * std::cos(3 * y)});
+    }
+  }
+  const std::string in = folder.write("in.xyz", asBareXyz(places));
+  const std::string path = folder.write("path.csv", "t,x,y,z\n0,0,2.5,30\n1,5,2.5,30\n");
+  for (const std::vector<std::string>& toward : std::vector<std::vector<std::string>>{
+         {"--toward", "up"}, {"--toward", "direction", "0.1", "-0.1", "1"},
+         {"--toward", "2", "2", "30"}, {"--toward", path}})
+  {
+    const Outcome run = this->run(in, "out.xyz", toward);
+    EXPECT_EQ(run.err, "") << toward[1];
+    EXPECT_NE(run.out.find("normals by viewpoint"), std::string::npos) << run;
+    EXPECT_EQ(shareUp(contentsOf(folder.path("out.xyz"))), 1) << toward[1];
+  }
+  ASSERT_EQ(this->run(in, "out.xyz", {"--toward", "2", "2", "-30"}).status, 0);
+  EXPECT_EQ(shareUp(contentsOf(folder.path("out.xyz"))), 0);
+  // A field takes it as well, and bad ones are refused.
+  std::vector<std::string> field = {
+    "field", in, "-o", folder.path("out.vti"), "--resolution", "8", "--estimate-normals", "--json"};
+  field.insert(field.end(), {"--toward", "up"});
+  EXPECT_EQ(runProgram(field).json()["input"]["normal_estimation"], "viewpoint");
+  EXPECT_TRUE(runProgram({"field", in, "-o", folder.path("out.vti"), "--toward", "up"})
+                .saysInOneLine({"--toward is for --estimate-normals"}));
+  EXPECT_TRUE(
+    this->run(in, "a.xyz", {"--toward", "upward"}).saysInOneLine({"--toward is no position"}));
+  EXPECT_TRUE(this->run(in, "a.xyz", {"--toward", folder.path("none.csv")})
+                .saysInOneLine({"none.csv: no such file"}));
+}
+
 TEST_F(NormalsCommand, KeepWhatPointsCameWith)
 {
   // A table with other names, colours, an intensity and words; without normals.

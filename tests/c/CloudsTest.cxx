@@ -38,6 +38,37 @@ TEST(EstimatedNormals, PointOutward)
   }
 }
 
+TEST(EstimatedNormals, LookTowardWhereThePointsWereSeenFrom)
+{
+  const Mesh ball = shapes::icosphere(4);
+  std::vector<float> normals(3 * ball.points.size());
+  auto options = with(winding_options_init);
+  options.toward = "0.2 0 0";
+  auto estimate = with(winding_estimate_init);
+  Warnings told;
+  ASSERT_EQ(winding_estimate_normals(arrayOf(ball.points), &options, &told.run, normals.data(),
+              nullptr, &estimate, nullptr),
+    WINDING_OK);
+  EXPECT_TRUE(told.texts.empty());
+  EXPECT_EQ(estimate.normal_estimation, WINDING_NORMAL_ESTIMATION_TOWARD);
+  for (std::size_t i = 0; i < ball.points.size(); ++i)
+  {
+    const Point normal(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]);
+    EXPECT_LT(normal.dot(ball.points[i]), -0.99);
+  }
+  options.toward = "upward";
+  winding_refusal refusal;
+  EXPECT_EQ(winding_estimate_normals(
+              arrayOf(ball.points), &options, nullptr, normals.data(), nullptr, nullptr, &refusal),
+    WINDING_REFUSED);
+  EXPECT_STREQ(refusal.parameter, "toward");
+  options.normal_estimation = WINDING_NORMAL_ESTIMATION_TOWARD;
+  EXPECT_EQ(winding_estimate_normals(
+              arrayOf(ball.points), &options, nullptr, normals.data(), nullptr, nullptr, &refusal),
+    WINDING_REFUSED);
+  EXPECT_STREQ(refusal.parameter, "normal_estimation");
+}
+
 TEST(NormalsToTurn, AreThoseThatPointInward)
 {
   Mesh ball = shapes::icosphere(4);

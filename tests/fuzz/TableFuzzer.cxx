@@ -101,6 +101,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.separator = size % 4 == 3 ? '\t' : ',';
   options.normalsAndAreas = size % 3 != 0;
   options.rows = true;
+  options.columns = size % 5 == 4 ? winding::ColumnChoice("x=1 y=2 z=3") : winding::ColumnChoice();
   const Read whole = read(input, options);
   options.bytesPerBlock = 1 + data[size / 2] % 64;
   const Read inBlocks = read(input, options);

@@ -121,6 +121,8 @@ def command_for(chance, name, other):
             [],
             ["--estimate-normals"],
             ["--estimate-normals", "--normal-estimation", "consistent"],
+            ["--estimate-normals", "--toward", "up"],
+            ["--columns", "x=1", "y=2", "z=3"],
             ["--points"],
             ["--regularization", "1"],
             ["--areas", "array"],
@@ -188,7 +190,8 @@ def command_for(chance, name, other):
     if command == "normals":
         output = "out" + chance.choice((".ply", ".xyz", ".pwn", ".csv", ".vtp", ".vtu"))
         extra = chance.choice(
-            ([], ["--replace"], ["--normal-estimation", "consistent"], ["--json"])
+            ([], ["--replace"], ["--normal-estimation", "consistent"], ["--json"],
+             ["--toward", "up"], ["--toward", "0", "0", "-9"])
         )
         return ["normals", name, "-o", output, *extra], [output]
     extra = chance.choice(([], ["--fix-orientation", "-o", "out.ply"], ["--blocks", "out.vtm"]))

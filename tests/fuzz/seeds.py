@@ -362,6 +362,8 @@ COMMANDS = [
     "voxels a.stl -o b.vtp --padding 0.1 --method rows --tolerance 1e-4 --threads 2 --quiet",
     "probe a.obj b.csv -o c.csv --extract --inside-out --estimate-normals",
     "probe a.obj b.csv -o c.csv --points --neighbors 8 --array w",
+    "normals a.xyz -o b.ply --toward direction 0 0 1",
+    "normals a.csv -o b.csv --columns x=Easting y=Northing z=4 --toward path.csv",
     "check a.vtu --fix-orientation -o b.vtp --blocks c.vtm --json",
     "bench a.off --resolution 16 32",
     "field --help",

@@ -209,6 +209,18 @@ class FunctionsTest(unittest.TestCase):
         normals, areas = vtkwinding.estimate_normals(SPHERE)
         self.assertGreater((normals * SPHERE).sum(axis=1).min(), 0.9)
         np.testing.assert_allclose(areas.sum(), 4 * np.pi, rtol=0.02)
+        inward, _ = vtkwinding.estimate_normals(SPHERE, toward=(0, 0, 0))
+        self.assertLess((inward * SPHERE).sum(axis=1).max(), -0.9)
+        around = 9 * np.concatenate([np.eye(3), -np.eye(3)])
+        outward, _ = vtkwinding.estimate_normals(SPHERE, toward=around)
+        self.assertGreater((outward * SPHERE).sum(axis=1).min(), 0.9)
+        field = Field(SPHERE, estimate_normals=True, toward=around)
+        self.assertAlmostEqual(field.winding_number([[0, 0, 0]])[0], 1, places=1)
+        for wrong in ("upward", "1 2", "1 2 3; 4"):
+            with self.assertRaisesRegex(vtkwinding.WindingError, "no position"):
+                vtkwinding.estimate_normals(SPHERE, toward=wrong)
+        with self.assertRaisesRegex(ValueError, "shape"):
+            Field(SPHERE, estimate_normals=True, toward=[1, 2])
         np.testing.assert_allclose(
             vtkwinding.point_areas(SPHERE, SPHERE).sum(), 4 * np.pi, rtol=0.02)
 

@@ -110,6 +110,53 @@ TEST_F(NormalEstimation, HasTheSameBitsForAnyOrderOfPointsAndThreads)
   }
 }
 
+/// A scanner in the middle of a hollow sphere: normals look at it, and so w is -1 inside.
+TEST_F(NormalEstimation, LooksTowardWhereThePointsWereSeenFrom)
+{
+  const auto sphere = sphereCloud(2000, 0);
+  std::vector<Place> places;
+  for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
+  {
+    const double* at = sphere->GetPoint(i);
+    places.push_back({at[0], at[1], at[2]});
+  }
+  const auto cloud = cloudOf(places);
+  EXPECT_NEAR(this->windingNumber(cloud, 0), 1, 0.02);
+  probe->SetToward("0.1 0 0");
+  EXPECT_NEAR(this->windingNumber(cloud, 0), -1, 0.02);
+  EXPECT_STREQ(probe->GetNormalEstimationUsed(), "viewpoint");
+  probe->SetToward("9 0 0; -9 0 0; 0 9 0; 0 -9 0; 0 0 9; 0 0 -9");
+  EXPECT_NEAR(this->windingNumber(cloud, 0), 1, 0.02);
+
+  vtkNew<vtkPointAreas> areas;
+  areas->SetInputData(cloud);
+  areas->EstimateNormalsOn();
+  areas->SetToward("0 0 0");
+  {
+    const ErrorLog log(areas);
+    areas->Update();
+    EXPECT_EQ(log.errors(), "");
+  }
+  vtkDataArray* const normals =
+    vtkPointSet::SafeDownCast(areas->GetOutput())->GetPointData()->GetNormals();
+  ASSERT_NE(normals, nullptr);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const double* const normal = normals->GetTuple3(static_cast<vtkIdType>(i));
+    EXPECT_LT(normal[0] * places[i][0] + normal[1] * places[i][1] + normal[2] * places[i][2], 0);
+  }
+  for (vtkAlgorithm* const filter :
+    {static_cast<vtkAlgorithm*>(probe), static_cast<vtkAlgorithm*>(areas)})
+  {
+    const ErrorLog log(filter);
+    areas->SetToward("upward");
+    probe->SetToward("1 2");
+    filter->Update();
+    EXPECT_NE(log.errors().find("is no position and no direction"), std::string::npos)
+      << log.errors();
+  }
+}
+
 TEST_F(NormalEstimation, IsNotSpoiledByStraysEqualPointsAndBadOnes)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

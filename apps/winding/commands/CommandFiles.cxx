@@ -1,14 +1,17 @@
 #include "commands/CommandFiles.h"
 
 #include "files/Formats.h"
+#include "files/Text.h"
 #include "input/ReadInput.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
+#include "program/Failure.h"
 #include "program/Messages.h"
 #include "program/ParallelRun.h"
 
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
 #include <filesystem>
@@ -34,9 +37,12 @@ std::vector<std::string> filesToKeep(const Options& options)
     return {};
   }
   std::vector<std::string> files = options.inputs;
-  if (!options.queries.empty())
+  for (const std::string& file : {options.queries, options.towardFile})
   {
-    files.push_back(options.queries);
+    if (!file.empty())
+    {
+      files.push_back(file);
+    }
   }
   return files;
 }
@@ -47,6 +53,23 @@ std::unique_ptr<OutputFile> openOnFirstRank(const Options& options)
   parallel::agreeOnFirst(
     [&] { file = std::make_unique<OutputFile>(options.output, filesToKeep(options)); });
   return file;
+}
+
+void readToward(Options& options, Messages& messages)
+{
+  if (options.towardFile.empty())
+  {
+    return;
+  }
+  const auto positions = readPoints(options.towardFile, messages);
+  for (vtkIdType i = 0; i < positions->GetNumberOfPoints(); ++i)
+  {
+    options.toward += (i > 0 ? ";" : "") + exact(positions->GetPoint(i), ' ');
+  }
+  if (options.toward.empty())
+  {
+    throw Failure(EXIT_REFUSED, options.towardFile, "has no positions; give some");
+  }
 }
 
 vtkSmartPointer<vtkDataObject> readSource(const Options& options, Messages& messages)

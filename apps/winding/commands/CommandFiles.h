@@ -18,6 +18,9 @@ std::vector<std::string> filesToKeep(const Options& options);
 /// ranks where it cannot be written. Collective.
 std::unique_ptr<OutputFile> openOnFirstRank(const Options& options);
 
+/// Reads the positions that estimated normals look toward, where a file has them. Throws Failure.
+void readToward(Options& options, Messages& messages);
+
 /// Reads the inputs as readInput() does, on the first rank: one as it is, several as blocks with
 /// the names of their files without folders and suffixes. The other ranks get no points. Throws
 /// Failure on all ranks where a file cannot be read. Collective.

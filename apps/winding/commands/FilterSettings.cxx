@@ -32,6 +32,7 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
   filter->SetIgnoreOpenParts(options.ignoreOpenParts);
   filter->SetEstimateNormals(options.estimateNormals);
   filter->SetNormalEstimation(options.normalEstimation);
+  filter->SetToward(options.toward.c_str());
   filter->SetPointAreaMethod(options.areas);
   filter->SetNumberOfNeighbors(options.neighbors);
   filter->SetRegularization(options.regularization);
@@ -102,7 +103,7 @@ void warnOfIdleOptions(
   }
   const std::pair<const char*, bool> forPoints[] = {{"--estimate-normals", options.estimateNormals},
     {"--normal-estimation", options.normalEstimation != Options().normalEstimation},
-    {"--regularization", options.regularization > 0},
+    {"--toward", !options.toward.empty()}, {"--regularization", options.regularization > 0},
     {"--areas", options.areas != vtkWindingNumberField::VORONOI},
     {"--neighbors", options.neighbors != Options().neighbors}};
   for (const auto& [option, isGiven] : forPoints)

@@ -164,6 +164,7 @@ void runNormals(const Options& options, Messages& messages)
   filter->SetInputDataObject(options.replace ? bare(input).Get() : input.Get());
   filter->EstimateNormalsOn();
   filter->SetNormalEstimation(options.normalEstimation);
+  filter->SetToward(options.toward.c_str());
   filter->SetPointAreaMethod(options.areas);
   filter->SetNumberOfNeighbors(options.neighbors);
   filter->SetPointArea(options.area);

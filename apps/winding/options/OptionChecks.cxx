@@ -87,6 +87,8 @@ void checkPointAreas(const Options& options, const WasGiven& wasGiven)
 void checkMethod(const Options& options, const WasGiven& wasGiven)
 {
   checkPointAreas(options, wasGiven);
+  requireUsage(options.estimateNormals || !wasGiven("--toward"),
+    "--toward is for --estimate-normals; say that, too, or leave it out");
   requireUsage(options.areas != Filter::MESH || options.asPoints,
     "--areas mesh is for meshes taken as points; say --points, too");
   requireUsage(options.rule != Filter::ODD || !wasGiven("--threshold"),

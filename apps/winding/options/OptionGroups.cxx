@@ -162,6 +162,23 @@ void addPointAreas(
       "How many neighbours of a point tell its area and, if estimated, its normal (20)")
     ->group(group);
   command
+    ->add_option_function<std::vector<std::string>>(
+      "--toward",
+      [&options](const std::vector<std::string>& words)
+      {
+        const bool isFile = words.size() == 1 && words[0].find('.') != std::string::npos;
+        options.towardFile = isFile ? words[0] : "";
+        for (const std::string& word : isFile ? std::vector<std::string>() : words)
+        {
+          options.toward += (options.toward.empty() ? "" : " ") + word;
+        }
+      },
+      "Where points were seen from, so that estimated normals look there: a position X Y Z; a file "
+      "of positions, the nearest for each point; up, down or direction X Y Z")
+    ->expected(1, 4)
+    ->type_name("X Y Z | FILE | up")
+    ->group(group);
+  command
     ->add_option("--normal-estimation", options.normalEstimation,
       "How normals are estimated: tree, handed on from neighbour to neighbour | consistent, such "
       "that w is 1/2 at the points, for thin, close and separate parts | auto, tree where its "

@@ -31,7 +31,9 @@ struct Options
   double regularization = 0;
   bool estimateNormals = false;
   int normalEstimation = 0;
-  bool replace = false; ///< whether normals are estimated for points that have some
+  std::string toward;     ///< as the filters have it; empty where it is not known
+  std::string towardFile; ///< the file of positions to take for it; empty if there is none
+  bool replace = false;   ///< whether normals are estimated for points that have some
   bool asPoints = false;
   bool surfaceCells = false;
   bool orientFaces = false;

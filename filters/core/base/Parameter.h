@@ -25,6 +25,7 @@ enum class Parameter
   normalsArray,
   estimateNormals,
   normalEstimation,
+  toward,
   pointAreaMethod,
   pointArea,
   areaArray,

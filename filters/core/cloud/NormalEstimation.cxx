@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <queue>
 
 namespace winding
@@ -39,6 +40,80 @@ std::vector<std::vector<std::uint32_t>> mutual(const NeighborGraph& graph, std::
   return back;
 }
 
+/// Hands on orientations from places that are finished to their neighbours.
+class OrientationTree
+{
+public:
+  OrientationTree(const DistinctPoints& places, const NeighborGraph& graph,
+    std::vector<Eigen::Vector3d>& normals, Executor& executor)
+    : places_(places)
+    , graph_(graph)
+    , back_(mutual(graph, places.size()))
+    , normals_(normals)
+    , progress_(executor)
+    , isDone_(places.size())
+  {
+  }
+
+  bool isDone(std::uint32_t place) const { return isDone_[place] != 0; }
+
+  /// Keeps the normal of a place, and adds the steps from there.
+  void finish(std::uint32_t place)
+  {
+    isDone_[place] = 1;
+    progress_.step(++finished_, places_.size());
+    const auto add = [this, place](std::uint32_t other)
+    {
+      if (!isDone_[other])
+      {
+        steps_.push(stepBetween(places_, normals_, place, other));
+      }
+    };
+    std::for_each(graph_.begin(place), graph_.end(place, mostSteps), add);
+    std::for_each(back_[place].begin(), back_[place].end(), add);
+  }
+
+  /// Goes all steps, the surest first.
+  void spread()
+  {
+    while (!steps_.empty())
+    {
+      const NeighborStep step = steps_.top();
+      steps_.pop();
+      if (!isDone_[step.to])
+      {
+        normals_[step.to] *= normals_[step.from].dot(normals_[step.to]) < 0 ? -1 : 1;
+        this->finish(step.to);
+      }
+    }
+  }
+
+private:
+  const DistinctPoints& places_;
+  const NeighborGraph& graph_;
+  const std::vector<std::vector<std::uint32_t>> back_;
+  std::vector<Eigen::Vector3d>& normals_;
+  Progress progress_;
+  std::vector<unsigned char> isDone_;
+  std::priority_queue<NeighborStep> steps_;
+  std::size_t finished_ = 0;
+};
+
+/// The places by their heights, the highest first.
+template <class Height>
+std::vector<std::uint32_t> placesFromHighest(std::size_t places, const Height& heightOf)
+{
+  std::vector<std::uint32_t> order(places);
+  std::iota(order.begin(), order.end(), std::uint32_t(0));
+  std::sort(order.begin(), order.end(),
+    [&heightOf](std::uint32_t a, std::uint32_t b)
+    {
+      const double ha = heightOf(a), hb = heightOf(b);
+      return ha > hb || (ha == hb && a < b);
+    });
+  return order;
+}
+
 } // namespace
 
 const char* nameOf(NormalEstimation estimation)
@@ -51,6 +126,8 @@ const char* nameOf(NormalEstimation estimation)
     return "spanning tree";
   case NormalEstimation::consistent:
     return "winding consistent";
+  case NormalEstimation::toward:
+    return "viewpoint";
   }
   return "";
 }
@@ -58,56 +135,41 @@ const char* nameOf(NormalEstimation estimation)
 void orientByTree(const DistinctPoints& places, const NeighborGraph& graph,
   std::vector<Eigen::Vector3d>& normals, Executor& executor)
 {
-  const auto back = mutual(graph, places.size());
   // Starts go from the top down, so that a piece begins at its highest place.
-  std::vector<std::uint32_t> starts(places.size());
-  for (std::size_t i = 0; i < starts.size(); ++i)
-  {
-    starts[i] = static_cast<std::uint32_t>(i);
-  }
-  std::sort(starts.begin(), starts.end(),
-    [&](std::uint32_t a, std::uint32_t b)
-    {
-      const double za = places.positions()[a][2], zb = places.positions()[b][2];
-      return za > zb || (za == zb && a < b);
-    });
-  std::vector<unsigned char> isDone(places.size());
-  std::priority_queue<NeighborStep> steps;
-  Progress progress(executor);
-  std::size_t finished = 0;
-  const auto finish = [&](std::uint32_t place)
-  {
-    isDone[place] = 1;
-    progress.step(++finished, places.size());
-    const auto add = [&](std::uint32_t other)
-    {
-      if (!isDone[other])
-      {
-        steps.push(stepBetween(places, normals, place, other));
-      }
-    };
-    std::for_each(graph.begin(place), graph.end(place, mostSteps), add);
-    std::for_each(back[place].begin(), back[place].end(), add);
-  };
+  const std::vector<std::uint32_t> starts = placesFromHighest(
+    places.size(), [&places](std::uint32_t place) { return places.positions()[place][2]; });
+  OrientationTree tree(places, graph, normals, executor);
   for (const std::uint32_t start : starts)
   {
-    if (isDone[start])
+    if (!tree.isDone(start))
     {
-      continue;
-    }
-    normals[start] *= normals[start][2] < 0 ? -1 : 1;
-    finish(start);
-    while (!steps.empty())
-    {
-      const NeighborStep step = steps.top();
-      steps.pop();
-      if (!isDone[step.to])
-      {
-        normals[step.to] *= normals[step.from].dot(normals[step.to]) < 0 ? -1 : 1;
-        finish(step.to);
-      }
+      normals[start] *= normals[start][2] < 0 ? -1 : 1;
+      tree.finish(start);
+      tree.spread();
     }
   }
+}
+
+void orientFrom(const DistinctPoints& places, const NeighborGraph& graph,
+  const std::vector<double>& clearness, double enough, std::vector<Eigen::Vector3d>& normals,
+  Executor& executor)
+{
+  OrientationTree tree(places, graph, normals, executor);
+  const std::vector<std::uint32_t> starts = placesFromHighest(
+    places.size(), [&clearness](std::uint32_t place) { return clearness[place]; });
+  for (const std::uint32_t start : starts)
+  {
+    const bool isClear = clearness[start] >= enough;
+    if (!isClear)
+    {
+      tree.spread(); // from all that are clear, or from one that is not
+    }
+    if (!tree.isDone(start))
+    {
+      tree.finish(start);
+    }
+  }
+  tree.spread();
 }
 
 std::vector<Eigen::Vector3d> estimateNormals(

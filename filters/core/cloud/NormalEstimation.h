@@ -17,7 +17,8 @@ enum class NormalEstimation
   /// automaticNormals().
   automatic,
   spanningTree, ///< planes and orientations that are handed on: estimateNormals()
-  consistent    ///< planes and orientations that the field agrees with: ConsistentNormals.h
+  consistent,   ///< planes and orientations that the field agrees with: ConsistentNormals.h
+  toward        ///< planes that look toward viewpoints (Viewpoints.h), which only reports name
 };
 
 const char* nameOf(NormalEstimation estimation);
@@ -49,5 +50,11 @@ std::vector<Eigen::Vector3d> estimateNormals(
 /// Throws Interrupted.
 void orientByTree(const DistinctPoints& places, const NeighborGraph& graph,
   std::vector<Eigen::Vector3d>& normals, Executor& executor);
+
+/// Hands on orientations along the graph, as orientByTree() does, from all places with a clearness
+/// of at least `enough`, which keep theirs. A piece without any starts at its clearest place.
+void orientFrom(const DistinctPoints& places, const NeighborGraph& graph,
+  const std::vector<double>& clearness, double enough, std::vector<Eigen::Vector3d>& normals,
+  Executor& executor);
 
 } // namespace winding

@@ -87,10 +87,10 @@ bool areFlatAround(const PointCloud& cloud, const Eigen::Vector3d& normal, Execu
 }
 
 /// Gives the cloud normals and, unless they came with it, areas; turns all normals round if their
-/// field says that they point inward.
+/// field says that they point inward, and if `mayTurn`.
 CloudOrientation takeOutward(PointCloud& cloud, const DistinctPoints& places,
   std::vector<Eigen::Vector3d> normals, bool hasOwnAreas, const PointAreaOptions& options,
-  Executor& executor)
+  Executor& executor, bool mayTurn = true)
 {
   // Areas and orientation belong to the unit vectors that come back once the rounded normals
   // have been stored.
@@ -114,7 +114,7 @@ CloudOrientation takeOutward(PointCloud& cloud, const DistinctPoints& places,
   findAreas();
   progress.set(0.6, 1);
   CloudOrientation orientation = orientationOf(cloud, executor);
-  const bool isInward = orientation.isInward();
+  const bool isInward = mayTurn && orientation.isInward();
   if (isInward)
   {
     orientation = orientation.reversed();
@@ -134,8 +134,8 @@ CloudOrientation takeOutward(PointCloud& cloud, const DistinctPoints& places,
 
 } // namespace
 
-OutwardNormals giveOutwardNormals(
-  PointCloud& cloud, NormalEstimation estimation, const PointAreaOptions& areas, Executor& unseen)
+OutwardNormals giveOutwardNormals(PointCloud& cloud, NormalEstimation estimation,
+  const Viewpoints& toward, const PointAreaOptions& areas, Executor& unseen)
 {
   ShownExecutor executor(unseen);
   Progress progress(executor);
@@ -147,6 +147,16 @@ OutwardNormals giveOutwardNormals(
   const double endOfPlaces = isTreeAlone ? 0.06 : 0.02;
   progress.set(0, endOfPlaces);
   const DistinctPoints places(cloud.positions, unitScaleOf(cloud.positions), executor);
+  if (!toward.empty())
+  {
+    progress.set(endOfPlaces, 0.6);
+    std::vector<Eigen::Vector3d> normals = normalsToward(toward, places, areas.neighbors, executor);
+    progress.set(0.6, 1);
+    found.estimation = NormalEstimation::toward;
+    found.orientation =
+      takeOutward(cloud, places, std::move(normals), hasOwnAreas, areas, executor, false);
+    return found;
+  }
   if (estimation != NormalEstimation::consistent)
   {
     progress.set(endOfPlaces, 0.6 * endOfTree);

@@ -5,6 +5,7 @@
 #include "cloud/CloudOrientation.h"
 #include "cloud/NormalEstimation.h"
 #include "cloud/PointAreas.h"
+#include "cloud/Viewpoints.h"
 #include "source/PointCloud.h"
 
 #include <cstddef>
@@ -18,6 +19,9 @@ struct OutwardNormals
 {
   NormalEstimation estimation = NormalEstimation::spanningTree; ///< never automatic
   CloudOrientation orientation;                                 ///< once turned outward
+
+  /// Whether the field was to be clear and is not. It need not be with viewpoints.
+  bool isUnsure() const { return estimation != NormalEstimation::toward && !orientation.isClear(); }
 };
 
 /**
@@ -28,6 +32,9 @@ struct OutwardNormals
  * vectors to that precision. The areas belong to the unit vectors that sanitize() makes of them,
  * so that points that were stored with their normals have the same areas when they come back.
  *
+ * Normals look toward viewpoints instead where there are any (normalsToward()). The field does not
+ * turn them, which says little where one side alone was seen.
+ *
  * Automatic takes the spanning tree where its field is clear nearly everywhere, and otherwise
  * automaticNormals(), which are reported as consistent. The bits are the same for any executor and
  * any order of the points. Takes the time and memory of estimateNormals(), consistentNormals() and
@@ -35,7 +42,7 @@ struct OutwardNormals
  * pointAreas() does.
  */
 OutwardNormals giveOutwardNormals(PointCloud& cloud, NormalEstimation estimation,
-  const PointAreaOptions& areas, Executor& executor);
+  const Viewpoints& toward, const PointAreaOptions& areas, Executor& executor);
 
 /// Returns what users of a cloud without normals can do, or of one whose normals are all 0.
 Message missingNormals(bool areZero = false);

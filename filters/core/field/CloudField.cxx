@@ -94,8 +94,8 @@ void CloudField::findNormalsAndAreas(const FieldOptions& options, Executor& exec
   const PointAreaOptions areas = {options.pointAreaMethod, options.pointArea, options.neighbors};
   if (info_.normalsAreEstimated)
   {
-    const OutwardNormals found =
-      giveOutwardNormals(cloud_, options.normalEstimation, areas, executor);
+    const OutwardNormals found = giveOutwardNormals(
+      cloud_, options.normalEstimation, Viewpoints(options.toward), areas, executor);
     info_.normalEstimation = found.estimation;
     info_.orientation = found.orientation;
     // Normals that were stored and come back are made unit vectors in the same way.
@@ -123,7 +123,8 @@ void CloudField::findNormalsAndAreas(const FieldOptions& options, Executor& exec
   {
     info_.warnings.push_back(missingPointArea("the field is 0"));
   }
-  else if (info_.normalsAreEstimated && !info_.orientation.isClear())
+  else if (info_.normalsAreEstimated && info_.normalEstimation != NormalEstimation::toward &&
+           !info_.orientation.isClear())
   {
     info_.warnings.push_back(adviceOnNormals(info_.orientation));
   }

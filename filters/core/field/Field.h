@@ -59,6 +59,8 @@ struct FieldOptions
   /// Whether a warning names normals that are kept though others are to be estimated.
   bool warnsOfKeptNormals = true;
   NormalEstimation normalEstimation = NormalEstimation::automatic;
+  /// Where the points were seen from, for estimated normals; see Viewpoints. Empty: not known.
+  std::string toward;
   PointAreaMethod pointAreaMethod = PointAreaMethod::voronoi;
   /// The area of every point, for PointAreaMethod::constant only; 0 stands for the mean of the
   /// areas that PointAreaMethod::voronoi gives.
@@ -82,9 +84,10 @@ struct FieldOptions
   {
     return method == other.method && tolerance == other.tolerance && pointArea == other.pointArea &&
            estimateNormals == other.estimateNormals && normalEstimation == other.normalEstimation &&
-           pointAreaMethod == other.pointAreaMethod && neighbors == other.neighbors &&
-           regularization == other.regularization && orientFaces == other.orientFaces &&
-           ignoreOpenParts == other.ignoreOpenParts && scattered == other.scattered;
+           toward == other.toward && pointAreaMethod == other.pointAreaMethod &&
+           neighbors == other.neighbors && regularization == other.regularization &&
+           orientFaces == other.orientFaces && ignoreOpenParts == other.ignoreOpenParts &&
+           scattered == other.scattered;
   }
 };
 

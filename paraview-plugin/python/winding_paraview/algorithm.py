@@ -24,7 +24,7 @@ FOLDER = pathlib.Path(__file__).resolve().parent.parent
 DECLARED = declarations.properties_of(FOLDER / "xml")
 DONE, REFUSED, OUT_OF_MEMORY, ABORTED = range(4)
 METHODS = ("automatic", "rows", "hierarchical", "direct", "parity")
-ESTIMATIONS = ("automatic", "spanning tree", "winding consistent")
+ESTIMATIONS = ("automatic", "spanning tree", "winding consistent", "viewpoint")
 RUN = _library.RUN
 
 

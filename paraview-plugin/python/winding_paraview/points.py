@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkUnstructuredGrid,
 )
 
-from vtkwinding import _datasets, _library
+from vtkwinding import _datasets, _library, _options
 from vtkwinding._errors import WindingError
 
 from .algorithm import ESTIMATIONS, RUN, Algorithm, copied, declared, pointer, replace_leaves
@@ -106,6 +106,7 @@ class PointAreas(Algorithm):
         options = _library.Options(
             number_of_neighbors=self.value("NumberOfNeighbors"),
             normal_estimation=self.value("NormalEstimation"),
+            toward=_options.viewpoints(self.values["Toward"]),
             point_area=self.value("PointArea") if method == CONSTANT_AREA else 0,
             mean_point_area=method == CONSTANT_AREA)
         points = np.ascontiguousarray(parts.points)

@@ -9,7 +9,7 @@ import numpy as np
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkCommonExecutionModel import vtkExtentTranslator
 
-from vtkwinding import _datasets, _library
+from vtkwinding import _datasets, _library, _options
 from vtkwinding._errors import WindingError
 from vtkwinding._library import polygons_of
 from vtkwinding._parts import level_of
@@ -267,7 +267,7 @@ class SourceAlgorithm(Algorithm):
         """What a field depends on, of this rank."""
         names = ("Method", "Tolerance", "SourceAsPoints", "UseSurfaceCells", "OrientFaces",
                  "IgnoreOpenParts", "PointAreaMethod", "PointArea", "NumberOfNeighbors",
-                 "EstimateNormals", "NormalEstimation", "Regularization", "AreaArray",
+                 "EstimateNormals", "NormalEstimation", "Toward", "Regularization", "AreaArray",
                  "NormalsArray", "SourceDistribution")
         leaves = [] if data is None else [
             (leaf.GetAddressAsString(""), leaf.GetMTime()) for _, leaf in _datasets.leaves_of(data)]
@@ -310,6 +310,7 @@ class SourceAlgorithm(Algorithm):
             mean_point_area=is_constant, number_of_neighbors=self.value("NumberOfNeighbors"),
             estimate_normals=bool(self.value("EstimateNormals")) and parts.normals is None,
             normal_estimation=self.value("NormalEstimation"),
+            toward=_options.viewpoints(self.values["Toward"]),
             orient_faces=bool(self.value("OrientFaces")),
             ignore_open_parts=bool(self.value("IgnoreOpenParts")), scattered=self.is_scattered)
         handle = _library.Handle("winding_field_free")

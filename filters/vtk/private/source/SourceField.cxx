@@ -127,6 +127,7 @@ Ranks::Number hashOf(const SourceOptions& options)
   hash.addValue(options.field.method);
   hash.addValue(options.field.tolerance);
   hash.addValue(options.field.normalEstimation);
+  hash.addText(options.field.toward);
   hash.addValue(options.field.pointAreaMethod);
   hash.addValue(options.field.pointArea);
   hash.addValue(options.field.neighbors);

@@ -21,7 +21,8 @@ struct SourceOptions
 /// Whether normals may be estimated by more than a spanning tree, which takes more memory.
 inline bool mayFindConsistentNormals(const FieldOptions& options)
 {
-  return options.estimateNormals && options.normalEstimation != NormalEstimation::spanningTree;
+  return options.estimateNormals && options.toward.empty() &&
+         options.normalEstimation != NormalEstimation::spanningTree;
 }
 
 /// A hash of options, by which ranks find out whether theirs are the same.

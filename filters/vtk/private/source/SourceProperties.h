@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/InsideRule.h"
+#include "cloud/Viewpoints.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
 #include "private/source/SourceField.h"
@@ -64,6 +65,7 @@ template <class Object> void checkSourceProperties(Object& object)
   checkProperty(Parameter::tolerance, object.GetTolerance());
   pointAreasFrom(object.GetPointAreaMethod());
   coreNormalEstimation(object.GetNormalEstimation());
+  Viewpoints(textOf(object.GetToward()));
   checkCloudProperties(object);
   checkProperty(Parameter::regularization, object.GetRegularization());
 }
@@ -88,6 +90,7 @@ template <class Object> SourceOptions sourceOptions(Object& object, bool scatter
   options.field.estimateNormals = object.GetEstimateNormals() != 0;
   options.field.warnsOfKeptNormals = isEstimateAsked();
   options.field.normalEstimation = coreNormalEstimation(object.GetNormalEstimation());
+  options.field.toward = textOf(object.GetToward());
   options.field.pointAreaMethod = corePointAreaMethod(areas);
   options.field.pointArea = object.GetPointArea();
   options.field.neighbors = object.GetNumberOfNeighbors();
@@ -109,6 +112,7 @@ void printSourceProperties(Object& object, std::ostream& os, vtkIndent indent)
   os << indent << "NormalsArray: " << textOf(object.GetNormalsArray()) << "\n";
   os << indent << "EstimateNormals: " << object.GetEstimateNormals() << "\n";
   os << indent << "NormalEstimation: " << object.GetNormalEstimation() << "\n";
+  os << indent << "Toward: " << textOf(object.GetToward()) << "\n";
   os << indent << "NumberOfNeighbors: " << object.GetNumberOfNeighbors() << "\n";
   os << indent << "PointAreaMethod: " << object.GetPointAreaMethod() << "\n";
   os << indent << "PointArea: " << object.GetPointArea() << "\n";
