@@ -121,7 +121,7 @@ double rightShare(const Cloud& cloud, winding::NormalEstimation estimation)
   winding::PointCloud given = clean(cloud);
   given.normals.clear();
   winding::SerialExecutor serial;
-  winding::giveOutwardNormals(given, estimation, {}, serial);
+  winding::giveOutwardNormals(given, estimation, {}, {}, serial);
   return rightShare(given.normals, cloud.normals);
 }
 
@@ -131,7 +131,7 @@ std::vector<Point> byTree(const Cloud& cloud)
   winding::PointCloud given = clean(cloud);
   given.normals.clear();
   winding::SerialExecutor serial;
-  winding::giveOutwardNormals(given, winding::NormalEstimation::spanningTree, {}, serial);
+  winding::giveOutwardNormals(given, winding::NormalEstimation::spanningTree, {}, {}, serial);
   return given.normals;
 }
 
@@ -271,9 +271,9 @@ TEST(OverlappingNormals, OfNoisyPointsAreThoseOfSomeThatAreMovedOntoPlanes)
   winding::PointCloud reversed = given;
   std::reverse(reversed.positions.begin(), reversed.positions.end());
   winding::SerialExecutor serial;
-  winding::giveOutwardNormals(given, NormalEstimation::automatic, {}, serial);
+  winding::giveOutwardNormals(given, NormalEstimation::automatic, {}, {}, serial);
   ShuffledThreads threads(346);
-  winding::giveOutwardNormals(reversed, NormalEstimation::automatic, {}, threads);
+  winding::giveOutwardNormals(reversed, NormalEstimation::automatic, {}, {}, threads);
   std::reverse(reversed.normals.begin(), reversed.normals.end());
   EXPECT_EQ(reversed.normals, given.normals);
 }

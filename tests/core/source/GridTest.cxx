@@ -124,7 +124,7 @@ TEST(LayOutGrid, PadsEachAxisByItsOwnLengthWithGivenDimensions)
   Grid grid = layOutGrid(request);
   EXPECT_EQ(grid.corner(), Point(0, 1.5, 2.75));
   EXPECT_EQ(grid.spacing, Point(1, 0.5, 0.25));
-  request.bounds = Bounds({1, 2, 3}, {5, 4, 3}); // flat
+  request.bounds = over({1, 2, 3}, {5, 4, 3}).bounds; // flat
   grid = layOutGrid(request);
   EXPECT_EQ(grid.corner(), Point(0, 1.5, 2));
   request.isCubic = true;
