@@ -72,7 +72,7 @@ class PackageTest(unittest.TestCase):
 
     def test_loads_the_modules_that_the_library_depends_on(self):
         named = re.findall(r"VTK::(\w+)", (ROOT / "filters" / "vtk" / "vtk.module").read_text())
-        self.assertEqual(["vtk" + name for name in named if name != "vtksys"],
+        self.assertEqual(["vtk" + name for name in named if name not in ("vtksys", "zlib")],
                          list(vtkwinding_native._vtk.DEPENDENCIES))
 
 
@@ -135,7 +135,9 @@ class ClassesTest(unittest.TestCase):
                     if cls.__name__ in CLASSES}
             for method in ours:
                 setter = getattr(instance, "Set" + method[3:], None)
-                if not method.startswith("Get") or setter is None:
+                # The name of an input is asked for by its number.
+                is_property = method.startswith("Get") and method != "GetInputName"
+                if not is_property or setter is None:
                     continue
                 with self.subTest(f"{name}.{method}"):
                     value = getattr(instance, method)()
