@@ -10,6 +10,7 @@ Refused input is a WindingError, wrong arguments are a TypeError or a ValueError
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import gzip
 import os
@@ -599,20 +600,26 @@ def read(path: str | os.PathLike[str], *,
     name = os.fsencode(path)
     if not name or b"\0" in name:
         raise ValueError("path must be the name of a file, without null characters")
-    return _read_packed(name, chosen) if name.lower().endswith(b".gz") else _read(name, chosen)
+    with unpacked(name) as copy:
+        return _read(copy, chosen)
 
 
-def _read_packed(name, chosen):
-    """Reads an unpacked copy in a temporary folder; errors name the file itself."""
+@contextlib.contextmanager
+def unpacked(name):
+    """The name of a file, or of an unpacked copy of a .gz file in a temporary folder. Errors within
+    name the file itself."""
+    if not name.lower().endswith(b".gz"):
+        yield name
+        return
     with tempfile.TemporaryDirectory() as folder:
         copy = os.path.join(os.fsencode(folder), os.path.basename(name)[:-3])
         try:
-            with gzip.open(name) as packed, open(copy, "wb") as unpacked:
-                shutil.copyfileobj(packed, unpacked)
+            with gzip.open(name) as packed, open(copy, "wb") as file:
+                shutil.copyfileobj(packed, file)
         except (OSError, EOFError, zlib.error) as error:
             raise WindingError(f"{os.fsdecode(name)}: cannot be unpacked: {error}") from error
         try:
-            return _read(copy, chosen)
+            yield copy
         except WindingError as error:
             text = str(error).replace(os.fsdecode(copy), os.fsdecode(name))
             raise type(error)(text) from None

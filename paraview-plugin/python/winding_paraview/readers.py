@@ -9,6 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
+from vtkwinding.fields import unpacked
 
 from .algorithm import RUN, Algorithm, copied, declared
 from .surfaces import polydata_of
@@ -29,21 +30,29 @@ class SourceReader(Algorithm):
             name = self.values["FileName"]
             if not name:
                 raise WindingError("no file name is set")
-            handle = _library.Handle("winding_mesh_free")
-            is_table = os.path.splitext(name)[1].lower() in _TABLES
-            rest = (RUN, ctypes.byref(handle.pointer))
-            path = ctypes.c_char_p(os.fsencode(name))
-
-            def note(text):
-                self.warn(f"{name}: {text}")
-
-            if is_table:
-                self.call("winding_read_table", path, int(bool(self.value("ReadNormalsAndAreas"))),
-                          *rest, note=note)
-            else:
-                self.call("winding_read", path, *rest, note=note)
-            self._fill(handle, is_table, output)
+            with unpacked(os.fsencode(name)) as copy:
+                self._read(name, copy, output)
         return int(self.status == 0)
+
+    def _read(self, name, copy, output):
+        handle = _library.Handle("winding_mesh_free")
+        is_table = os.path.splitext(os.fsdecode(copy))[1].lower() in _TABLES
+        columns = self.values.get("Columns")
+        rest = (RUN, ctypes.byref(handle.pointer))
+        path = ctypes.c_char_p(copy)
+
+        def note(text):
+            self.warn(f"{name}: {text}")
+
+        if columns:
+            self.call("winding_read_columns", path, ctypes.c_char_p(columns.encode()), *rest,
+                      note=note)
+        elif is_table:
+            self.call("winding_read_table", path, int(bool(self.value("ReadNormalsAndAreas"))),
+                      *rest, note=note)
+        else:
+            self.call("winding_read", path, *rest, note=note)
+        self._fill(handle, is_table and not columns, output)
 
     def _fill(self, handle, is_table, output):
         arrays = _library.arrays_of(handle)
