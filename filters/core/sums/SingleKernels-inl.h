@@ -51,10 +51,14 @@ HWY_INLINE SingleVec inverseRoot(SingleVec value)
   // The estimate of this target has a few bits only.
   return hn::Div(hn::Set(d, 1.0f), hn::Sqrt(value));
 #else
-  // A step of Newton's method doubles the bits of the estimate, which are 12 at least.
-  const SingleVec guess = hn::ApproximateReciprocalSqrt(value);
+  // A step of Newton's method doubles the bits of the estimate: 12 at least on x86, 7 elsewhere.
   const SingleVec half = hn::Mul(hn::Set(d, 0.5f), value);
-  return hn::Mul(guess, hn::NegMulAdd(half, hn::Mul(guess, guess), hn::Set(d, 1.5f)));
+  const auto improved = [&](SingleVec guess)
+  {
+    return hn::Mul(guess, hn::NegMulAdd(half, hn::Mul(guess, guess), hn::Set(d, 1.5f)));
+  };
+  const SingleVec guess = improved(hn::ApproximateReciprocalSqrt(value));
+  return HWY_ARCH_X86 ? guess : improved(guess);
 #endif
 }
 
