@@ -56,6 +56,12 @@ struct winding_mesh
 namespace winding::c
 {
 
+/// Returns the numbers, or null where there are none.
+template <class Number> const Number* pointerTo(const UninitializedVector<Number>& numbers)
+{
+  return numbers.empty() ? nullptr : numbers.data();
+}
+
 /// Makes a handle, and gives it to a caller once `fillIn` has filled it.
 template <class Handle, class FillIn> void giveHandle(Handle*& to, const FillIn& fillIn)
 {
