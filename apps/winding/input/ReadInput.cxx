@@ -3,14 +3,13 @@
 #include "files/Formats.h"
 #include "files/SinglePrecision.h"
 #include "input/ContentCheck.h"
+#include "input/Leaves.h"
 #include "input/ReaderProcess.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"
 #include "program/Messages.h"
 #include "program/Progress.h"
 
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSourceReader.h"
@@ -20,19 +19,8 @@ namespace
 
 /// Whether coordinates are in single precision, and lie so far from the origin that rounding to it
 /// has moved them.
-bool haveLostDigits(vtkDataObject* data)
+bool haveLostDigits(vtkPointSet* points)
 {
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    bool isAny = false;
-    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
-    {
-      isAny |= haveLostDigits(leaves->GetCurrentDataObject());
-    }
-    return isAny;
-  }
-  auto* const points = vtkPointSet::SafeDownCast(data);
   if (points->GetNumberOfPoints() == 0 || points->GetPoints()->GetDataType() != VTK_FLOAT)
   {
     return false;
@@ -70,7 +58,10 @@ vtkSmartPointer<vtkDataObject> readInput(
 {
   messages.setSubject(fileName);
   auto data = read(fileName, messages, columns);
-  if (haveLostDigits(data))
+  bool areDigitsLost = false;
+  forEachLeaf(data,
+    [&](vtkDataObject* leaf) { areDigitsLost |= haveLostDigits(vtkPointSet::SafeDownCast(leaf)); });
+  if (areDigitsLost)
   {
     messages.warn(
       fileName + ": its coordinates are kept in single precision, and so far from the " +

@@ -2,14 +2,13 @@
 
 #include "files/Formats.h"
 #include "input/DataStream.h"
+#include "input/Leaves.h"
 #include "input/LegacyVtkCounts.h"
 #include "input/PieceFiles.h"
 #include "program/Failure.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkErrorCode.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -171,21 +170,17 @@ void limitToReading(std::uintmax_t fileSize)
 /// Throws Failure for data that holds anything but surfaces, unstructured grids or points.
 void checkKind(vtkDataObject* data, const std::string& fileName)
 {
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  forEachLeaf(data,
+    [&fileName](vtkDataObject* leaf)
     {
-      checkKind(leaves->GetCurrentDataObject(), fileName);
-    }
-  }
-  else if (!data || (!data->IsA("vtkPolyData") && !data->IsA("vtkUnstructuredGrid") &&
-                      !data->IsA("vtkStructuredGrid")))
-  {
-    throw Failure(EXIT_REFUSED, fileName,
-      std::string("holds ") + (data ? data->GetClassName() : "nothing") +
-        "; a surface, an unstructured grid or points are needed");
-  }
+      if (!leaf || (!leaf->IsA("vtkPolyData") && !leaf->IsA("vtkUnstructuredGrid") &&
+                     !leaf->IsA("vtkStructuredGrid")))
+      {
+        throw Failure(EXIT_REFUSED, fileName,
+          std::string("holds ") + (leaf ? leaf->GetClassName() : "nothing") +
+            "; a surface, an unstructured grid or points are needed");
+      }
+    });
 }
 
 vtkSmartPointer<vtkDataObject> read(

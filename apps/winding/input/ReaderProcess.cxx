@@ -2,6 +2,7 @@
 
 #include "files/Text.h"
 #include "input/DataStream.h"
+#include "input/Leaves.h"
 #include "input/PieceFiles.h"
 #include "input/ReaderChild.h"
 #include "program/Failure.h"
@@ -11,8 +12,6 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCellType.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkNew.h"
 #include "vtkVersionMacros.h"
@@ -226,20 +225,15 @@ void requireKnown(bool condition, const std::string& fileName, const std::string
 bool hasPolyhedra(vtkDataObject* data)
 {
   bool isAny = false;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  forEachLeaf(data,
+    [&isAny](vtkDataObject* leaf)
     {
-      isAny |= hasPolyhedra(leaves->GetCurrentDataObject());
-    }
-    return isAny;
-  }
-  auto* const cells = vtkDataSet::SafeDownCast(data);
-  for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells() && !isAny; ++cell)
-  {
-    isAny = cells->GetCellType(cell) == VTK_POLYHEDRON;
-  }
+      auto* const cells = vtkDataSet::SafeDownCast(leaf);
+      for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells() && !isAny; ++cell)
+      {
+        isAny = cells->GetCellType(cell) == VTK_POLYHEDRON;
+      }
+    });
   return isAny;
 }
 
