@@ -16,6 +16,15 @@ std::string_view regionName(std::string_view text)
            : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
+void append(std::vector<RegionStart>& starts, std::vector<RegionStart>& more, std::size_t before)
+{
+  for (RegionStart& start : more)
+  {
+    start.polygon += before;
+    starts.push_back(std::move(start));
+  }
+}
+
 void addRegions(const char* kind, const std::vector<RegionStart>& starts, EqualNames equalNames,
   std::size_t polygons, std::vector<NamedRegions>& all)
 {

@@ -26,6 +26,10 @@ struct RegionStart
   std::string name;    ///< empty for none
 };
 
+/// Moves the starts of a part of a file, counted from its first polygon, behind others. `before` is
+/// the number of polygons before that part.
+void append(std::vector<RegionStart>& starts, std::vector<RegionStart>& more, std::size_t before);
+
 /// Whether equal names mean the same region.
 enum class EqualNames
 {

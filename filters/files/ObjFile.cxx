@@ -239,11 +239,7 @@ private:
       std::vector<RegionStart> ofFile;
       for (std::size_t block = 0; block < regions_.size(); ++block)
       {
-        for (RegionStart& start : regions_[block][kind])
-        {
-          start.polygon += static_cast<std::size_t>(starts_[block].cells[2]);
-          ofFile.push_back(std::move(start));
-        }
+        append(ofFile, regions_[block][kind], static_cast<std::size_t>(starts_[block].cells[2]));
       }
       addRegions(
         regionKinds[kind], ofFile, EqualNames::sameRegion, mesh_.polygons.count(), mesh_.regions);

@@ -227,11 +227,7 @@ private:
     std::size_t facets = 0;
     for (Lines& lines : lines_)
     {
-      for (RegionStart& solid : lines.solids)
-      {
-        solid.polygon += facets;
-        solids.push_back(std::move(solid));
-      }
+      append(solids, lines.solids, facets);
       facets += lines.facets;
     }
     addRegions("Solid", solids, EqualNames::otherRegions, facets, mesh.regions);
