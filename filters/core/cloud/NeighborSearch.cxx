@@ -1,9 +1,9 @@
 #include "cloud/NeighborSearch.h"
 
 #include "cloud/PlacesInBall.h"
+#include "cloud/SearchedPositions.h"
 
 #include <Eigen/Geometry>
-#include <nanoflann.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,19 +17,6 @@ namespace
 
 /// Places of one tree. They decide how many trees can be built at a time, and nothing else.
 constexpr std::size_t placesPerTree = 1 << 17;
-
-/// The interface through which nanoflann reads the positions of some places.
-struct Positions
-{
-  const Eigen::Vector3d* first;
-  std::size_t count;
-
-  std::size_t kdtree_get_point_count() const { return count; }
-  double kdtree_get_pt(std::size_t i, std::size_t axis) const { return first[i][axis]; }
-  template <class Box> bool kdtree_get_bbox(Box&) const { return false; }
-};
-
-using Metric = nanoflann::L2_Simple_Adaptor<double, Positions, double, std::uint32_t>;
 
 /// More than what rounding and underflow may take from the square of a distance.
 double roundedUp(double square)
@@ -158,8 +145,8 @@ public:
 
 private:
   std::uint32_t first_;
-  Positions positions_;
-  nanoflann::KDTreeSingleIndexAdaptor<Metric, Positions, 3, std::uint32_t> tree_;
+  SearchedPositions positions_;
+  SearchedPositions::Tree tree_;
   Eigen::AlignedBox3d bounds_;
 };
 

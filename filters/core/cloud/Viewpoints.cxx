@@ -3,9 +3,8 @@
 #include "base/Progress.h"
 #include "base/Refusal.h"
 #include "cloud/NormalEstimation.h"
+#include "cloud/SearchedPositions.h"
 #include "source/UnitScale.h"
-
-#include <nanoflann.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -55,16 +54,6 @@ Eigen::Vector3d directionOf(const std::string& word)
   message.remedies = {{"give X Y Z, direction X Y Z, up or down", {}}};
   throw Refusal(std::move(message));
 }
-
-/// The interface through which nanoflann reads positions.
-struct Positions
-{
-  const std::vector<Eigen::Vector3d>& all;
-
-  std::size_t kdtree_get_point_count() const { return all.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t axis) const { return all[i][axis]; }
-  template <class Box> bool kdtree_get_bbox(Box&) const { return false; }
-};
 
 Eigen::Vector3d unitOrZero(const Eigen::Vector3d& vector)
 {
@@ -131,10 +120,8 @@ std::vector<Eigen::Vector3d> Viewpoints::directionsFrom(
   std::sort(sorted.begin(), sorted.end(),
     [](const Eigen::Vector3d& a, const Eigen::Vector3d& b)
     { return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3); });
-  const Positions read{sorted};
-  using Metric = nanoflann::L2_Simple_Adaptor<double, Positions, double, std::uint32_t>;
-  const nanoflann::KDTreeSingleIndexAdaptor<Metric, Positions, 3, std::uint32_t> tree(
-    3, read, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+  const SearchedPositions searched = {sorted.data(), sorted.size()};
+  const SearchedPositions::Tree tree(3, searched, nanoflann::KDTreeSingleIndexAdaptorParams(16));
   forEachItem(
     places.size(),
     [&](std::size_t i)

@@ -92,12 +92,14 @@ void CloudField::findNormalsAndAreas(const FieldOptions& options, Executor& exec
   const std::size_t points = cloud_.positions.size();
   const bool areAreasGiven = !cloud_.areas.empty();
   const PointAreaOptions areas = {options.pointAreaMethod, options.pointArea, options.neighbors};
+  bool areNormalsUnsure = false;
   if (info_.normalsAreEstimated)
   {
     const OutwardNormals found = giveOutwardNormals(
       cloud_, options.normalEstimation, Viewpoints(options.toward), areas, executor);
     info_.normalEstimation = found.estimation;
     info_.orientation = found.orientation;
+    areNormalsUnsure = found.isUnsure();
     // Normals that were stored and come back are made unit vectors in the same way.
     for (Eigen::Vector3d& normal : cloud_.normals)
     {
@@ -123,8 +125,7 @@ void CloudField::findNormalsAndAreas(const FieldOptions& options, Executor& exec
   {
     info_.warnings.push_back(missingPointArea("the field is 0"));
   }
-  else if (info_.normalsAreEstimated && info_.normalEstimation != NormalEstimation::toward &&
-           !info_.orientation.isClear())
+  else if (areNormalsUnsure)
   {
     info_.warnings.push_back(adviceOnNormals(info_.orientation));
   }
