@@ -2,16 +2,14 @@
 
 #include "private/pipeline/Ranks.h"
 
-#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-class vtkAbstractArray;
 class vtkDataArray;
 class vtkFieldData;
 class vtkPointSet;
