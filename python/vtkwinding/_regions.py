@@ -16,6 +16,23 @@ class Regions(NamedTuple):
     names: list[str]
 
 
+def names_of_ids(fields, name):
+    """The names of an array of regions "...Ids", which "...Names" of VTK's field data has."""
+    array = fields.GetAbstractArray(f"{name[:-3]}Names") if name.endswith("Ids") else None
+    return [array.GetValue(i) for i in range(array.GetNumberOfValues())] if (
+        array is not None and array.IsA("vtkStringArray")) else []
+
+
+def regions_of(leaf, fields):
+    """The regions that a file names of the polygons of a leaf, as readers give them."""
+    found = {}
+    for kind in KINDS:
+        names = names_of_ids(fields, f"{kind}Ids")
+        if names and leaf.data.GetCellData().GetArray(f"{kind}Ids") is not None:
+            found[kind] = Regions(leaf.cell_array(f"{kind}Ids"), names)
+    return found
+
+
 def names_of_parts(regions, parts):
     """The solids that a file names, for polygons in `parts`, which are less than 0 for none: the
     number of each polygon's, and their names; None where there are none. Last comes the kind whose

@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike
 from . import _clouds, _datasets, _grids, _images, _library, _options, _parts, _voxels, fields
 from ._errors import WindingError
 from ._progress import bar
-from ._regions import KINDS, Regions, name_of, names_of_parts
+from ._regions import name_of, names_of_ids, names_of_parts, regions_of
 from ._signatures import SourceOptions, spelled_out
 from ._sources import DEFAULTS, SourceField, kept_polygons, source_of, turned_polygons
 
@@ -475,7 +475,8 @@ class WindingAccessor:
                           ctypes.byref(source.polygons()), _library.RUN,
                           ctypes.c_void_p(of_polygons.ctypes.data), ctypes.byref(count))
             values, names = np.arange(count.value), [f"Solid {i + 1}" for i in range(count.value)]
-            named, its_names, divides = names_of_parts(self._regions(source), of_polygons)
+            named, its_names, divides = names_of_parts(
+                regions_of(source.leaves[0], mesh.GetFieldData()), of_polygons)
             if named is not None:
                 values, names, of_polygons = np.arange(len(its_names)), its_names, named
             elif divides:
@@ -487,7 +488,7 @@ class WindingAccessor:
                 raise ValueError(f"scalars must have one component, not {array.shape[1]}")
             values, of_polygons = np.unique(array, return_inverse=True)
             kind = scalars[:-3] if scalars.endswith("Ids") else scalars
-            own = list(map(str, mesh.field_data.get(f"{kind}Names", [])))
+            own = names_of_ids(mesh.GetFieldData(), f"{kind}Ids")
             names = [name_of(scalars, value, own) if own else str(value)
                      for value in values.tolist()]
         if len(values) > _MOST_LABELS:
@@ -503,15 +504,6 @@ class WindingAccessor:
             solids.append((name, int(values[number]) if is_own else number + 1,
                            _polydata(source.points[used], ids, offsets)))
         return solids
-
-    def _regions(self, source):
-        """The regions that arrays of this mesh name, as readers give them."""
-        found = {}
-        for kind in KINDS:
-            if f"{kind}Ids" in self._mesh.cell_data and f"{kind}Names" in self._mesh.field_data:
-                found[kind] = Regions(source.leaves[0].cell_array(f"{kind}Ids"),
-                                      list(map(str, self._mesh.field_data[f"{kind}Names"])))
-        return found
 
     def report(self, *, normals_array: str | None = None, surface_cells: bool = False,
                progress_bar: bool = False) -> dict[str, Any]:

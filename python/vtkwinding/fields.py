@@ -10,15 +10,8 @@ Refused input is a WindingError, wrong arguments are a TypeError or a ValueError
 
 from __future__ import annotations
 
-import contextlib
 import ctypes
-import gzip
-import os
-import shutil
-import tempfile
 import threading
-import zlib
-from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -26,11 +19,10 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _grids, _library, _numbers, _options
 from ._errors import WindingError
-from ._regions import Regions
+from ._files import FloatArray, IdArray, Mesh
+from ._files import read as read
 
-FloatArray = NDArray[np.floating]
 BoolArray = NDArray[np.bool_]
-IdArray = NDArray[np.int64]
 
 
 class Grid(NamedTuple):
@@ -111,7 +103,7 @@ class Field:
         How normals are estimated.
     toward : str or (3,) or (N, 3) array, optional
         Where the points were seen from, so that estimated normals look there: a scanner's position,
-        several, of which each point takes the nearest, 'up', 'down' or 'direction x y z'.
+        several (each point takes the nearest), 'up', 'down' or 'direction x y z'.
     n_neighbors : int
         Neighbours that give a point its area and estimated normal.
     point_area : float
@@ -570,88 +562,3 @@ def point_areas(vertices: ArrayLike, normals: ArrayLike, *,
     _library.call("winding_point_areas", _library.array_of(points), _library.array_of(directions),
                   ctypes.byref(options), _library.RUN, ctypes.c_void_p(areas.ctypes.data))
     return areas
-
-
-class Mesh(NamedTuple):
-    """The content of a file. Polygons are cut into triangles; faces are None for a cloud. regions
-    has what the file names, by 'Object', 'Group', 'Material' and 'Solid': numbers of_faces (F,) and
-    their names."""
-
-    vertices: FloatArray
-    faces: IdArray | None
-    normals: FloatArray | None
-    areas: FloatArray | None
-    regions: dict[str, Regions] = {}
-
-
-def read(path: str | os.PathLike[str], *,
-         columns: Mapping[str, str | int] | None = None) -> Mesh:
-    """Reads an .obj, .off, .ply, .stl, .xyz, .pwn, .csv or .tsv file, which may be packed as .gz: a
-    Mesh. Lines, colours and columns without a meaning are left out.
-
-    Columns of the last four may be chosen, by names or numbers from 1 on, for any of x, y, z, nx,
-    ny, nz and area: columns={"x": "Easting", "y": "Northing", "z": 5}. Where x, y and z are
-    numbers, the file needs no row of names."""
-    chosen = None
-    if columns is not None:
-        chosen = os.fsencode(" ".join(f"{part}={column}" for part, column in columns.items()))
-        if b"\0" in chosen:
-            raise ValueError("columns must be names without null characters")
-    name = os.fsencode(path)
-    if not name or b"\0" in name:
-        raise ValueError("path must be the name of a file, without null characters")
-    with unpacked(name) as copy:
-        return _read(copy, chosen)
-
-
-@contextlib.contextmanager
-def unpacked(name):
-    """The name of a file, or of an unpacked copy of a .gz file in a temporary folder. Errors within
-    name the file itself."""
-    if not name.lower().endswith(b".gz"):
-        yield name
-        return
-    with tempfile.TemporaryDirectory() as folder:
-        copy = os.path.join(os.fsencode(folder), os.path.basename(name)[:-3])
-        try:
-            with gzip.open(name) as packed, open(copy, "wb") as file:
-                shutil.copyfileobj(packed, file)
-        except (OSError, EOFError, zlib.error) as error:
-            raise WindingError(f"{os.fsdecode(name)}: cannot be unpacked: {error}") from error
-        try:
-            yield copy
-        except WindingError as error:
-            text = str(error).replace(os.fsdecode(copy), os.fsdecode(name))
-            raise type(error)(text) from None
-
-
-def _read(name, chosen):
-    handle = _library.Handle("winding_mesh_free")
-    if chosen is None:
-        _library.call("winding_read", ctypes.c_char_p(name), _library.RUN,
-                      ctypes.byref(handle.pointer))
-    else:
-        _library.call("winding_read_columns", ctypes.c_char_p(name), ctypes.c_char_p(chosen),
-                      _library.RUN, ctypes.byref(handle.pointer))
-    arrays = _library.arrays_of(handle)
-    points = arrays["points"]
-    faces, regions = None, {}
-    if arrays["offsets"] is not None and len(arrays["offsets"]) > 1:
-        corners, offsets = arrays["corners"], arrays["offsets"]
-        faces = _fans(offsets, np.empty(0, np.int64) if corners is None else corners)
-        triangles = np.maximum(np.diff(offsets) - 2, 0)
-        regions = {kind: Regions(np.repeat(found.of_faces, triangles), found.names)
-                   for kind, found in arrays["regions"].items()}
-    return Mesh(np.empty((0, 3)) if points is None else points, faces, arrays["point_normals"],
-                arrays["point_areas"], regions)
-
-
-def _fans(offsets, corners):
-    """The triangles of polygons, as fans from their first corners."""
-    sizes = np.diff(offsets)
-    if (sizes == 3).all():
-        return corners.reshape(-1, 3)
-    counts = np.maximum(sizes - 2, 0)
-    first = np.repeat(offsets[:-1], counts)
-    step = np.arange(len(first)) - np.repeat(np.cumsum(counts) - counts, counts)
-    return np.stack([corners[first], corners[first + step + 1], corners[first + step + 2]], 1)

@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
-from vtkwinding.fields import unpacked
+from vtkwinding._files import unpacked
 
 from .algorithm import RUN, Algorithm, copied, declared
 from .surfaces import polydata_of

@@ -16,7 +16,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
 from vtkwinding._library import polygons_of
-from vtkwinding._regions import KINDS, Regions, name_of, names_of_parts
+from vtkwinding._regions import name_of, names_of_ids, names_of_parts, regions_of
 from vtkwinding._sources import kept_polygons
 
 from .algorithm import RUN, copied, declared, new_array, pointer
@@ -246,7 +246,7 @@ class Solids:
         are_unusable = numbers < 0  # to be counted as left out, once
         if self._filter.value("IgnoreOpenParts"):
             numbers = np.where((are_open == 0) | are_unusable, numbers, -2)
-        named, names, self.divides = names_of_parts(self._regions_of(leaf), numbers)
+        named, names, self.divides = names_of_parts(regions_of(leaf, self._fields), numbers)
         if named is not None:
             numbers = named
         found = []
@@ -260,15 +260,6 @@ class Solids:
                 found.append((name, self._parts(_part_of(leaf, are_kept)), is_open))
         return found
 
-    def _regions_of(self, leaf):
-        """The regions that a file names of the polygons of a leaf."""
-        found = {}
-        for kind in KINDS:
-            names = names_of_ids(self._fields, f"{kind}Ids")
-            if names and leaf.data.GetCellData().GetArray(f"{kind}Ids") is not None:
-                found[kind] = Regions(leaf.cell_array(f"{kind}Ids"), names)
-        return found
-
 
 def _are_faces(data):
     """Which cells of polydata are polygons or strips; all of any other data set."""
@@ -277,13 +268,6 @@ def _are_faces(data):
     if isinstance(data, vtkPolyData):
         found[:data.GetNumberOfVerts() + data.GetNumberOfLines()] = False
     return found
-
-
-def names_of_ids(fields, name):
-    """The names of an array of regions "...Ids", which "...Names" of the field data has."""
-    array = fields.GetAbstractArray(f"{name[:-3]}Names") if name.endswith("Ids") else None
-    return [array.GetValue(i) for i in range(array.GetNumberOfValues())] if isinstance(
-        array, vtkStringArray) else []
 
 
 def _regions_of(data, name):
