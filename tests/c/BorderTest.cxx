@@ -51,7 +51,7 @@ TEST(Border, LetsEveryRightCallPass)
   }
 }
 
-/// All that return a status are called by these tests, those of later versions, too.
+/// These tests call every function that returns a status. A new one has to join `allCalls`.
 TEST(Border, IsThatOfTheHeader)
 {
   std::ifstream file(WINDING_HEADER);

@@ -268,7 +268,7 @@ def vtu(points, faces):
 
 
 def gltf_parts(points, faces):
-    """What a glTF file says of two nodes with one mesh, but for its buffer, and the buffer."""
+    """A glTF file of two nodes with one mesh, without its buffer, and the buffer."""
     corners = [(f[0], f[i], f[i + 1]) for f in faces for i in range(1, len(f) - 1)]
     positions = struct.pack(f"<{3 * len(points)}f", *(x for p in points for x in p))
     ids = struct.pack(f"<{3 * len(corners)}I", *(i for c in corners for i in c))

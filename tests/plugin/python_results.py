@@ -135,7 +135,7 @@ def of_source(name, mesh, is_cloud):
     note(f"{name} equal areas", simple.PointAreas(Input=mesh, PointAreaMethod="Constant"))
 
 
-# Names of two objects, the second of which has two of three balls, and a text for each.
+# Names two objects: one ball, and two. Gives each ball a text.
 NAMES = """
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkStringArray
 output.ShallowCopy(inputs[0].VTKObject)

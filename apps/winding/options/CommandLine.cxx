@@ -125,7 +125,7 @@ void addLabels(CLI::App& app, Options& options)
     ->type_name("NAME");
   labels
     ->add_option("--region-array", options.regionArray,
-      "For one input: the cell array of integers or texts, each of which is a solid. Integers are "
+      "For one input: the cell array whose values, integers or texts, are the solids. Integers are "
       "the labels themselves, or are counted from 1 where they are not all 1 to 65535")
     ->type_name("ARRAY");
   labels

@@ -323,7 +323,7 @@ TEST(Components, PartSolidsThatTouch)
   const std::size_t half = ball.triangles.size() / 2;
   expectOneComponentEach(
     {closedByACone(ball.part(0, half)), closedByACone(ball.part(half, 2 * half))}, 771);
-  // Solids in a row between solids, of which three touch along an edge.
+  // Prisms that touch along a side.
   const Mesh wedge{{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 1}, {2, 0, 1}, {1, 1, 1}},
     {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}}};
   const auto mirrored = [](const Point& p) -> Point
