@@ -110,6 +110,7 @@ static_assert(isNumber(winding::SourceDistribution::replicated, Filter::REPLICAT
 vtkWindingNumberAlgorithm::vtkWindingNumberAlgorithm()
   : Controller(vtkMultiProcessController::GetGlobalController())
   , Ranks(std::make_unique<winding::Ranks>(nullptr))
+  , Frame(std::make_unique<winding::ImageFrame>())
   , Source(std::make_unique<winding::SourceField>())
 {
   this->SetAreaArray("Area");
@@ -285,6 +286,7 @@ void vtkWindingNumberAlgorithm::FillSourcePortInformation(vtkInformation* info)
 winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions()
 {
   winding::SourceOptions options = winding::sourceOptions(*this, !this->EvaluatesGrid());
+  options.frame = *this->Frame;
   options.distribution = winding::sourceDistribution(this->SourceDistribution);
   return options;
 }

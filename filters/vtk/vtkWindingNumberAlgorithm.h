@@ -73,6 +73,7 @@ class SmpExecutor;
 class SourceField;
 struct FieldInfo;
 struct SideCounts;
+struct ImageFrame;
 struct SourceOptions;
 } // namespace winding
 class vtkDataObject;
@@ -556,6 +557,9 @@ protected:
   std::string ExpectedMemoryInWords;
   double EarlierSeconds = 0; ///< taken by sources before this one in the same execution
   double TakenSeconds = 0;   ///< from the first source on, as for the whole result in one piece
+
+  /// The coordinates of fields and samples: the space's, unless a filter works in an image's.
+  std::unique_ptr<winding::ImageFrame> Frame;
 
 private:
   void ExpectMemory(const winding::Field& field, vtkIdType samples);

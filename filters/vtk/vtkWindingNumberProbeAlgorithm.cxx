@@ -185,6 +185,7 @@ int vtkWindingNumberProbeAlgorithm::RequestData(
     input, this->SamplesCells(), this->KeepsPart(), this->GetWords());
   this->QueriesRefused = false;
   this->QueriesAreGrid = queries.grid().has_value();
+  *this->Frame = queries.frame();
   const winding::ResultArrays results(queries.size(), options);
   vtkDataObject* source = vtkDataObject::GetData(inputs[1]);
   const auto count = static_cast<std::size_t>(queries.size());

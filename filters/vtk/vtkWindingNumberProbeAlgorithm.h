@@ -9,8 +9,11 @@
  * takes then). For any other source the value of a point depends on the other points, but only
  * within the Tolerance, and not at all with method DIRECT or Tolerance 0.
  *
- * The points or cells of an image that is not turned are evaluated as a grid, as
- * vtkWindingNumberField does: values are the same up to the Tolerance, and come ten times as fast.
+ * The points or cells of an image are evaluated as a grid, as vtkWindingNumberField does: values
+ * are the same up to the Tolerance, and come ten times as fast. An image with a direction matrix,
+ * or with negative spacings, is a grid along its own axes, where these are at right angles up to
+ * 1e-5, as NIfTI's are in single precision: distances have that relative error. Axes that are more
+ * askew make its samples scattered points.
  *
  * The output for a composite data set has the same structure. All samples of its data sets are
  * evaluated at once; empty places and other kinds of data stay as they are. Field data that says

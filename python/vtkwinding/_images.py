@@ -4,6 +4,7 @@ import numpy as np
 import pyvista as pv
 
 from . import _parts
+from ._errors import WindingError
 
 
 def like(image):
@@ -35,12 +36,13 @@ def on_grid(field, grid, kinds, sides, coverage=0, band=0, show=None):
 def evaluate(field, data, kinds, sides, *, at_cells=False, coverage=0, band=0, show=None):
     """Values of a field at the points of a data set, or at the centres of its cells: flat arrays by
     their names in the library. Coverage and bands are for images."""
-    grid = _parts.grid_of_image(data, at_cells) if isinstance(data, pv.ImageData) else None
+    grid, frame = None, None
+    if isinstance(data, pv.ImageData):
+        grid, frame = _parts.grid_of_image(data, at_cells)
     if grid is not None:
-        return on_grid(field, grid, kinds, sides, coverage, band, show)
-    if coverage == 0 and band == 0:
-        places = _parts.centres_of(data) if at_cells else _parts.points_of(data)
-        return field.at(places, kinds, sides, show=show)
-    straight = field.turned(_parts.directions_of(data).T, np.array(data.origin))
-    return on_grid(straight, _parts.grid_of_image(data, at_cells, in_its_axes=True), kinds, sides,
-                   coverage, band, show)
+        return on_grid(field if frame is None else field.framed(frame), grid, kinds, sides,
+                       coverage, band, show)
+    if (coverage or band) and not _parts.has_right_angles(data):
+        raise WindingError("the axes of the image are not at right angles: resample it first")
+    places = _parts.centres_of(data) if at_cells else _parts.points_of(data)
+    return field.at(places, kinds, sides, show=show)

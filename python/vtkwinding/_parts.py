@@ -7,6 +7,8 @@ from ._checks import check_cells
 
 _MARK = "Winding.Kept"
 _POLY_VERTEX = 2
+# The largest difference from 0 or 1 that products of two axes of an image may have.
+_MOST_SKEW = 1e-5
 _SINGLE, _DOUBLE = 0, 1  # of SetOutputPointsPrecision(); the default is 2
 
 
@@ -37,17 +39,57 @@ def directions_of(image):
     return np.array([[matrix.GetElement(i, j) for j in range(3)] for i in range(3)])
 
 
-def grid_of_image(image, at_cells, *, in_its_axes=False):
-    """The grid of the library that the points of an image are, or the centres of its cells. None for
-    images that are turned, unless the grid is asked for in the axes of the image; and for images
-    that are empty or have blank parts."""
-    is_turned = not (in_its_axes or np.array_equal(directions_of(image), np.eye(3)))
-    if (is_turned or image.GetNumberOfPoints() == 0 or image.HasAnyBlankPoints()
+class Frame:
+    """The coordinates in which an image is a straight grid: along its axes, from its origin. Sums
+    and products stand here one by one, for the filters of VTK have the same bits."""
+
+    def __init__(self, axes, origin):
+        x, y, z = axes.T
+        across = np.cross(y, z)
+        volume = float(x[0] * across[0] + x[1] * across[1] + x[2] * across[2])
+        self.inverse_axes = np.stack([across, np.cross(z, x), np.cross(x, y)]) / volume
+        self.origin = np.array(origin, float)
+        self.is_mirrored = volume < 0
+
+    def positions(self, points):
+        return self.directions(np.asarray(points, float) - self.origin)
+
+    def directions(self, vectors):
+        with np.errstate(invalid="ignore"):  # points that nothing uses may be infinite
+            x, y, z = np.asarray(vectors, float).T
+            return np.stack([row[0] * x + row[1] * y + row[2] * z for row in self.inverse_axes], 1)
+
+    def __eq__(self, other):
+        return isinstance(other, Frame) and (
+            np.array_equal(self.inverse_axes, other.inverse_axes)
+            and np.array_equal(self.origin, other.origin))
+
+
+def _axes_of(image):
+    """The directions in which the indices of an image grow, as the columns of a matrix."""
+    return directions_of(image) * np.where(np.array(image.GetSpacing()) < 0, -1, 1)
+
+
+def has_right_angles(image):
+    """Whether the axes of an image are at right angles, so that distances along them are those of
+    space, up to a difference that directions in single precision are within."""
+    axes = _axes_of(image)
+    return bool((np.abs(axes.T @ axes - np.eye(3)) <= _MOST_SKEW).all())
+
+
+def grid_of_image(image, at_cells):
+    """The grid of the library that the points of an image are, or the centres of its cells, and its
+    Frame, which is None where the coordinates of space are the image's. The grid is None for images
+    with axes that are not at right angles, that are empty or that have blank parts."""
+    if (not has_right_angles(image) or image.GetNumberOfPoints() == 0 or image.HasAnyBlankPoints()
             or image.HasAnyBlankCells()):
-        return None
-    steps, extent = np.array(image.GetSpacing(), float), np.array(image.GetExtent())
+        return None, None
+    axes, frame, start = _axes_of(image), None, np.array(image.GetOrigin())
+    if not np.array_equal(axes, np.eye(3)):
+        frame, start = Frame(axes, start), np.zeros(3)
+    steps, extent = np.abs(np.array(image.GetSpacing(), float)), np.array(image.GetExtent())
     counts = extent[1::2] - extent[::2] + 1
-    first = np.array(image.GetOrigin()) + extent[::2] * steps
+    first = start + extent[::2] * steps
     if at_cells:
         first = np.where(counts > 1, first + 0.5 * steps, first)
         counts = np.maximum(counts - 1, 1)
@@ -55,8 +97,8 @@ def grid_of_image(image, at_cells, *, in_its_axes=False):
     widest = max((step for step, count in zip(steps, counts) if count > 1), default=0)
     steps = np.where(counts == 1, widest if widest > 0 else 1, steps)
     if not (np.isfinite(first).all() and np.isfinite(steps).all() and (steps > 0).all()):
-        return None
-    return _library.Grid(tuple(first), tuple(steps), tuple(int(count) for count in counts))
+        return None, None
+    return _library.Grid(tuple(first), tuple(steps), tuple(int(count) for count in counts)), frame
 
 
 def _points_of_image(image):

@@ -249,6 +249,18 @@ def turned_polygons(corners, offsets, are_turned):
     return corners[np.repeat(offsets[:-1], sizes) + place]
 
 
+def framed(parts, frame):
+    """What has points, normals, corners and offsets, in the coordinates of an image."""
+    made = copy.copy(parts)
+    made.points = frame.positions(parts.points)
+    made.normals = None if parts.normals is None else frame.directions(parts.normals)
+    if parts.corners is not None and frame.is_mirrored:  # a mirror image looks inward
+        made.corners = turned_polygons(
+            parts.corners, parts.offsets, np.ones(len(parts.offsets) - 1, bool))
+        made.offsets = parts.offsets - parts.offsets[0]
+    return made
+
+
 def _outer_surface(mesh, surface_cells, name):
     """The polydata that bounds a mesh with faces; how many loose cells, and cells of the other kind,
     it leaves out; and how many cells it turns."""
@@ -367,20 +379,9 @@ class SourceField(Field):
         """The field of copies of the arrays, so that it stays what it is when they are changed."""
         return SourceField(self.source.copied(), **self.options)
 
-    def turned(self, matrix, middle):
-        """The field of the source, turned around a point."""
-        def moved(vectors, around):
-            return None if vectors is None else (vectors - around) @ matrix.T + around
-
-        if not np.allclose(matrix @ matrix.T, np.eye(3)):
-            raise WindingError("the axes of the image are not at right angles: resample it first")
-        source = self.source.copied()
-        source.points, source.normals = moved(source.points, middle), moved(source.normals, 0)
-        if source.is_surface and np.linalg.det(matrix) < 0:  # a mirror image looks inward
-            source.corners = turned_polygons(
-                source.corners, source.offsets, np.ones(len(source.offsets) - 1, bool))
-            source.offsets = source.offsets - source.offsets[0]
-        return SourceField(source, **self.options)
+    def framed(self, frame):
+        """The field of the source in the coordinates of an image (a Frame of _parts)."""
+        return SourceField(framed(self.source, frame), **self.options)
 
     def cut_distances(self, places, kept, are_cut, sides, show=None):
         """Numbers by which clipped_part() of _parts finds where the inside ends, for all points of

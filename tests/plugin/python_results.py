@@ -11,6 +11,7 @@ import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkImagingCore import vtkImageDataStreamer
 
 MESHES = ["bunny_10k.obj", "aneurysm_open.stl", "sphere_quads.obj", "self_intersectA.obj",
@@ -106,6 +107,20 @@ def in_pieces(field):
     return streamer.GetOutput()
 
 
+def turned_image(side):
+    """An image along other axes, of which one is mirrored, around the origin."""
+    image = vtkImageData()
+    image.SetExtent(2, 14, -6, 6, 0, 10)
+    image.SetSpacing(side / 12, side / 12, side / 10)
+    image.SetDirectionMatrix(0.8, 0.6, 0, 0.36, -0.48, -0.8, 0.48, -0.64, 0.6)
+    middle = [0.0] * 3
+    image.TransformContinuousIndexToPhysicalPoint([8, 0, 5], middle)
+    image.SetOrigin([-at for at in middle])
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(image)
+    return source
+
+
 def of_source(name, mesh, is_cloud):
     grid = {"Input": mesh, "Resolution": 24}
     field = note(f"{name} field", simple.WindingNumberField(
@@ -126,6 +141,8 @@ def of_source(name, mesh, is_cloud):
         Input=queries, Source=mesh, GenerateInside=1, GenerateSignedDistance=1))
     note(f"{name} probe of an image", simple.WindingNumberProbe(
         Input=image, Source=mesh, ProbeAssociation="Cell Centers", ExtractInside=1, InsideOut=1))
+    note(f"{name} probe of a turned image", simple.WindingNumberProbe(
+        Input=turned_image(4), Source=mesh, GenerateInside=1, GenerateSignedDistance=1))
     note(f"{name} report", simple.SurfaceReport(Input=mesh))
     if not is_cloud:
         note(f"{name} turned", simple.SurfaceReport(Input=mesh, FixOrientation=1, FaultThickness=0))
@@ -198,6 +215,8 @@ def run(folder):
     cells.Transform.Scale = [0.3, 0.3, 0.3]
     note("clip", simple.WindingNumberClip(Input=cells, Source=balls[0]))
     note("clip of an image", simple.WindingNumberClip(Input=box, Source=balls[1], InsideOut=1))
+    note("clip of a turned image", simple.WindingNumberClip(
+        Input=turned_image(2.5), Source=balls[1]))
     note("probe of blocks", simple.WindingNumberProbe(
         Input=group, Source=balls[0], ExtractInside=1, GenerateInside=1))
     note("cells as a source", simple.WindingNumberField(Input=cells, Resolution=20))

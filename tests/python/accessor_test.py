@@ -84,6 +84,30 @@ class AccessorTest(Warned):
                 cells.cell_data["WindingNumber"],
                 image.winding.sample(ball(), association="cell").cell_data["WindingNumber"])
 
+    def test_turned_images_are_grids_along_their_axes(self):
+        mirrored = turned_grid()
+        mirrored.direction_matrix = turned_grid().direction_matrix * [1, 1, -1]
+        mirrored.origin = (-0.6123, -0.6123, 0.5877)
+        single = turned_grid()
+        single.direction_matrix = single.direction_matrix.astype("f4").astype(float)
+        for source in (ball(), scan()):
+            for image in (turned_grid(), mirrored, single):
+                found = source.winding.field(reference_volume=image, signed_distance=True)
+                exact = vtkwinding.Field(
+                    np.array(source.points), source.regular_faces, method="direct")
+                np.testing.assert_allclose(
+                    found["WindingNumber"], exact.winding_number(image.points), atol=1e-3)
+                np.testing.assert_allclose(
+                    found["SignedDistance"], exact.signed_distance(image.points), atol=1e-6)
+                shares = source.winding.field(reference_volume=image, coverage="fraction")
+                np.testing.assert_array_equal(shares["WindingNumber"], found["WindingNumber"])
+        askew = turned_grid()
+        askew.direction_matrix = [[1, 0.1, 0], [0, 1, 0], [0, 0, 1]]
+        np.testing.assert_array_equal(ball().winding.field(reference_volume=askew)["WindingNumber"],
+                                      pv.PolyData(askew.points).winding.sample(ball())["WindingNumber"])
+        self.assertRaisesRegex(vtkwinding.WindingError, "not at right angles", ball().winding.field,
+                               reference_volume=askew, coverage="any")
+
     def test_masks_are_those_of_pyvista(self):
         mesh = ball().translate((3, 1, 2))
         for geometry in ({}, {"dimensions": (20, 21, 22)}, {"spacing": 0.05},

@@ -1,5 +1,8 @@
 #include "vtk/ErrorLog.h"
+#include "vtk/ImageSamples.h"
 #include "vtk/MovingSphere.h"
+
+#include "private/source/ImageGrid.h"
 
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
@@ -49,41 +52,6 @@ vtkSmartPointer<vtkPolyData> openSphere()
   source->SetEndPhi(120);
   source->Update();
   return source->GetOutput();
-}
-
-/// An image of samples that do not begin at 0 and are as far apart as the axes say.
-vtkSmartPointer<vtkImageData> imageAround()
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetExtent(3, 30, 0, 24, 5, 25);
-  image->SetSpacing(0.04, 0.05, 0.06);
-  image->SetOrigin(-0.66, -0.6, -0.9);
-  return image;
-}
-
-/// The same points without the image.
-vtkSmartPointer<vtkPolyData> pointsOf(vtkImageData* image)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-  {
-    points->InsertNextPoint(image->GetPoint(i));
-  }
-  auto scattered = vtkSmartPointer<vtkPolyData>::New();
-  scattered->SetPoints(points);
-  return scattered;
-}
-
-double largestDifference(vtkDataArray* a, vtkDataArray* b)
-{
-  EXPECT_EQ(a->GetNumberOfTuples(), b->GetNumberOfTuples());
-  double largest = 0;
-  for (vtkIdType i = 0; i < a->GetNumberOfTuples(); ++i)
-  {
-    largest = std::max(largest, std::abs(a->GetTuple1(i) - b->GetTuple1(i)));
-  }
-  return largest;
 }
 
 TEST_F(Probe, OutputIsTheQueriesWithArraysAdded)
@@ -267,25 +235,132 @@ TEST_F(Probe, OfAnImageTakesTheGridsMethods)
   EXPECT_EQ(log.errors(), "");
 }
 
+/// Compares what a probe gives at an image with the direct sum at its points.
+void expectValuesOfPoints(vtkImageData* image, vtkPolyData* source, bool atCells, double tolerance)
+{
+  vtkNew<vtkWindingNumberProbe> probe, scattered;
+  for (vtkWindingNumberProbe* each : {probe.Get(), scattered.Get()})
+  {
+    each->SetSourceData(source);
+    each->SetOutputScalarTypeToDouble();
+    each->GenerateSignedDistanceOn();
+    each->GenerateInsideOn();
+  }
+  probe->SetInputData(image);
+  probe->SetProbeAssociation(
+    atCells ? vtkWindingNumberProbe::CELLS : vtkWindingNumberProbe::POINTS);
+  scattered->SetInputData(pointsOf(image, atCells));
+  scattered->SetMethod(vtkWindingNumberProbe::DIRECT);
+  probe->Update();
+  scattered->Update();
+  vtkDataSetAttributes* found = probe->GetOutput()->GetPointData();
+  if (atCells)
+  {
+    found = probe->GetOutput()->GetCellData();
+  }
+  vtkPointData* expected = scattered->GetOutput()->GetPointData();
+  EXPECT_LT(
+    largestDifference(found->GetArray("WindingNumber"), expected->GetArray("WindingNumber")),
+    tolerance);
+  EXPECT_LT(
+    largestDifference(found->GetArray("SignedDistance"), expected->GetArray("SignedDistance")),
+    1e-13);
+  EXPECT_EQ(largestDifference(found->GetArray("Inside"), expected->GetArray("Inside")), 0);
+  EXPECT_GT(found->GetArray("Inside")->GetRange()[1], 0) << "some samples are inside";
+}
+
 TEST_F(Probe, OfAnImageThatIsTurnedHasTheValuesOfItsPoints)
 {
-  const auto image = imageAround();
-  image->SetDirectionMatrix(0, 1, 0, -1, 0, 0, 0, 0, 1);
-  image->SetOrigin(-0.6, 0.66, -0.9);
+  sphere->Update();
+  const auto open = openSphere();
+  constexpr double quarter[9] = {0, 1, 0, -1, 0, 0, 0, 0, 1};
+  constexpr double straight[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  for (bool atCells : {false, true})
+  {
+    // Measured: 1e-12 for the closed sphere, 1.1e-12 for the open one.
+    for (vtkPolyData* source : {sphere->GetOutput(), open.Get()})
+    {
+      expectValuesOfPoints(imageAlong(oblique), source, atCells, 1e-10);
+      expectValuesOfPoints(imageAlong(mirrored), source, atCells, 1e-10);
+      expectValuesOfPoints(imageAlong(quarter), source, atCells, 1e-10);
+      expectValuesOfPoints(imageAlong(straight, {0.04, -0.05, 0.06}), source, atCells, 1e-10);
+      expectValuesOfPoints(imageAlong(mirrored, {-0.04, -0.05, -0.06}), source, atCells, 1e-10);
+    }
+  }
+}
+
+TEST_F(Probe, OfAnImageThatIsTurnedHasTheValuesOfACloud)
+{
+  const auto image = imageAlong(mirrored);
+  sphere->Update();
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(sphere->GetOutput()->GetPoints());
+  cloud->GetPointData()->SetNormals(sphere->GetOutput()->GetPointData()->GetNormals());
+  probe->SetSourceData(cloud);
   probe->SetInputData(image);
-  probe->SetMethod(vtkWindingNumberProbe::DIRECT);
   probe->Update();
   vtkNew<vtkWindingNumberProbe> scattered;
   scattered->SetInputData(pointsOf(image));
-  scattered->SetSourceConnection(sphere->GetOutputPort());
+  scattered->SetSourceData(cloud);
   scattered->SetOutputScalarTypeToDouble();
   scattered->SetMethod(vtkWindingNumberProbe::DIRECT);
   scattered->Update();
-  EXPECT_EQ(largestDifference(probe->GetOutput()->GetPointData()->GetArray("WindingNumber"),
+  EXPECT_LT(largestDifference(probe->GetOutput()->GetPointData()->GetArray("WindingNumber"),
               scattered->GetOutput()->GetPointData()->GetArray("WindingNumber")),
-    0);
-  EXPECT_NEAR(
-    probe->GetOutput()->GetPointData()->GetArray("WindingNumber")->GetRange()[1], 1, 1e-12);
+    1e-3);
+}
+
+TEST_F(Probe, OfAnImageThatIsTurnedIsAGridAlongItsAxes)
+{
+  const auto image = imageAlong(mirrored);
+  const auto found = winding::gridOfImage(image, false);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_TRUE(found->frame.isMirrored());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); i += 97)
+  {
+    const Eigen::Vector3d position(image->GetPoint(i));
+    const Eigen::Vector3d sample = found->grid.sample(static_cast<std::size_t>(i));
+    EXPECT_LT((found->frame.position(position) - sample).norm(), 1e-14) << i;
+  }
+  const auto straight = winding::gridOfImage(imageAround(), false);
+  ASSERT_TRUE(straight.has_value());
+  EXPECT_TRUE(straight->frame.isStraight());
+}
+
+TEST_F(Probe, OfAnImageWithoutRightAnglesHasTheValuesOfItsPoints)
+{
+  constexpr double askew[9] = {1, 0.1, 0, 0, 1, 0, 0, 0, 1};
+  constexpr double flat[9] = {1, 1, 0, 0, 0, 0, 0, 0, 1};
+  constexpr double inSinglePrecision[9] = {0.8F, -0.6F, 0, 0.36F, 0.48F, -0.8F, 0.48F, 0.64F, 0.6F};
+  EXPECT_TRUE(winding::gridOfImage(imageAlong(inSinglePrecision), false).has_value());
+  for (const auto& directions : {askew, flat})
+  {
+    const auto image = imageAround();
+    image->SetOrigin(-0.9, -0.2, -0.9);
+    image->SetDirectionMatrix(const_cast<double*>(directions));
+    EXPECT_FALSE(winding::gridOfImage(image, false).has_value());
+    expectValuesOfPoints(image, openSphere(), false, 1e-3);
+  }
+}
+
+TEST_F(Probe, OfImagesOneAfterTheOtherFollowsTheirFrames)
+{
+  // The source stays the same, and its field is that of the last image's frame.
+  probe->SetInputData(imageAlong(oblique));
+  probe->Update();
+  for (const auto& image : {imageAlong(mirrored), imageAround(), imageAlong(oblique)})
+  {
+    vtkNew<vtkWindingNumberProbe> fresh;
+    fresh->SetInputData(image);
+    fresh->SetSourceConnection(sphere->GetOutputPort());
+    fresh->SetOutputScalarTypeToDouble();
+    fresh->Update();
+    probe->SetInputData(image);
+    probe->Update();
+    EXPECT_EQ(largestDifference(probe->GetOutput()->GetPointData()->GetArray("WindingNumber"),
+                fresh->GetOutput()->GetPointData()->GetArray("WindingNumber")),
+      0);
+  }
 }
 
 TEST_F(Probe, OfAnImageTellsItsCells)

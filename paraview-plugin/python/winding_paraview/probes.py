@@ -89,22 +89,24 @@ class ProbeAlgorithm(SourceAlgorithm):
             ranks = Ranks()
             source = vtkDataObject.GetData(inputs[1])
             self.source_kind = kind_of(source)
-            self.is_scattered = self.samples_are_scattered(vtkDataObject.GetData(inputs[0]))
+            self.lay_grid(vtkDataObject.GetData(inputs[0]))
             self.prepare(source, ranks)
             self.write(vtkDataObject.GetData(inputs[0]), output)
         return 1
 
     def key_of(self, data):
-        return (*super().key_of(data), self.is_scattered)
+        return (*super().key_of(data), self.is_scattered, self.frame)
 
     def at_cells(self):
         return False
 
-    def samples_are_scattered(self, data):
-        """Whether samples are no grid, such as the points of a single image."""
+    def lay_grid(self, data):
+        """Finds the grid that the samples of a single image are, and its coordinates."""
         leaves = self._leaves(data)
-        return not (len(leaves) == 1 and isinstance(leaves[0], vtkImageData) and (
-            grid_of_image(leaves[0], self.at_cells()) is not None))
+        self.grid, self.frame = None, None
+        if len(leaves) == 1 and isinstance(leaves[0], vtkImageData):
+            self.grid, self.frame = grid_of_image(leaves[0], self.at_cells())
+        self.is_scattered = self.grid is None
 
     @staticmethod
     def _leaves(data):
@@ -116,10 +118,8 @@ class ProbeAlgorithm(SourceAlgorithm):
         at_cells = self.at_cells()
         counts = [leaf.GetNumberOfCells() if at_cells else leaf.GetNumberOfPoints()
                   for leaf in leaves]
-        grid, samples = None, None
-        if not self.is_scattered:
-            grid = grid_of_image(leaves[0], at_cells)
-        else:
+        grid, samples = self.grid, None
+        if grid is None:
             places = [centres_of(leaf) if at_cells else points_of(leaf) for leaf in leaves]
             samples = places[0] if len(places) == 1 else np.concatenate(
                 [np.asarray(one, float) for one in places]) if places else np.empty((0, 3))
@@ -159,15 +159,22 @@ class ProbeAlgorithm(SourceAlgorithm):
         if (is_closed or self.inside_count or info.has_no_sides or info.is_wide_open
                 or not info.primitives or not Ranks().are_alone):
             return
-        places = samples
-        if places is None:
-            places = centres_of(leaves[0]) if self.at_cells() else points_of(leaves[0])
+        places = samples if samples is not None else self.places_on_grid(leaves[0])
         low, high = np.array(info.bounds[::2]), np.array(info.bounds[1::2])
         if ((places >= low) & (places <= high)).all(axis=1).sum() >= _MANY:
             lower = self.values["InsideRule"] != 2 and self.values["WindingThreshold"] > 0.5
             self.warn("no sample is inside: " + ("lower the threshold (Winding Threshold), or " if (
                 lower) else "") + "look whether the source is closed (Surface Report); 100 or more "
                 "lie within the bounds of the source")
+
+    def places_on_grid(self, image):
+        """The samples of an image, in the coordinates of the field."""
+        if self.frame is None:
+            return centres_of(image) if self.at_cells() else points_of(image)
+        x, y, z = (first + np.arange(count) * step for first, step, count in zip(
+            self.grid.origin, self.grid.spacing, self.grid.dimensions))
+        z, y, x = np.meshgrid(z, y, x, indexing="ij")
+        return np.stack([x.ravel(), y.ravel(), z.ravel()], 1)
 
     def turned(self, inside, samples):
         """What is outside instead of inside. Samples that are nowhere stay outside."""
@@ -253,7 +260,7 @@ class WindingNumberClip(ProbeAlgorithm):
         is_cut = np.concatenate([points_of_cut_cells(leaf, own) for leaf, own in zip(
             leaves, _split(kept, counts))]) if leaves else np.zeros(0, bool)
         self.between(0.7, 0.9)
-        places = samples if samples is not None else points_of(leaves[0])
+        places = samples if samples is not None else self.places_on_grid(leaves[0])
         numbers = cut_distances(
             kept, is_cut, *self._at_cuts(np.ascontiguousarray(places[is_cut], float)), self.levels)
         for leaf, own in zip(leaves, _split(numbers, counts)):

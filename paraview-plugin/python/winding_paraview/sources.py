@@ -13,7 +13,7 @@ from vtkwinding import _datasets, _library, _options
 from vtkwinding._errors import WindingError
 from vtkwinding._library import polygons_of
 from vtkwinding._parts import level_of
-from vtkwinding._sources import source_of
+from vtkwinding._sources import framed, source_of
 
 from .algorithm import (
     ESTIMATIONS,
@@ -195,6 +195,7 @@ class SourceAlgorithm(Algorithm):
     """A filter of the field of a source."""
 
     is_scattered = False
+    frame = None  # of an image whose coordinates the field has, as _parts of vtkwinding has it
     works_on_first_rank = False
 
     def __init__(self, **ports):
@@ -287,6 +288,8 @@ class SourceAlgorithm(Algorithm):
             if not (self.works_on_first_rank and ranks.rank > 0):
                 self.field_notes.extend(parts.notes)
                 self.between(0, PROGRESS_OF_FIELD)
+                if self.frame is not None:
+                    parts = framed(parts, self.frame)
                 self.field = self.field_of(parts, note=self.field_notes.append)
             self.field_key = key
             self.prepare_seconds = time.perf_counter() - start

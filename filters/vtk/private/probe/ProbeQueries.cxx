@@ -3,7 +3,6 @@
 #include "private/pipeline/FreeMemory.h"
 #include "private/probe/ProbeWords.h"
 #include "private/source/CellChecks.h"
-#include "private/source/ImageGrid.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -115,7 +114,11 @@ ProbeQueries::ProbeQueries(
   }
   if (leaves_.size() == 1)
   {
-    grid_ = gridOfImage(leaves_[0].data, atCells);
+    if (const auto image = gridOfImage(leaves_[0].data, atCells))
+    {
+      grid_ = image->grid;
+      frame_ = image->frame;
+    }
     samples_ = atCells ? VectorsView() : ownPoints(leaves_[0].data);
   }
   if (!grid_ && samples_.empty())

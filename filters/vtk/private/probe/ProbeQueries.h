@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Views.h"
-#include "source/Grid.h"
+#include "private/source/ImageGrid.h"
 
 #include "vtkType.h"
 
@@ -27,7 +27,8 @@ struct ProbeLeaf
 /**
  * The points or the cells of a data set, or of all data sets in a composite one, as one list of
  * samples, so that many small data sets cost no more than one large one. The samples of an image
- * are the samples of a grid, which take a tenth of the time, and need no list.
+ * are the samples of a grid, in the coordinates of the image, which take a tenth of the time, and
+ * need no list.
  */
 class ProbeQueries
 {
@@ -42,6 +43,9 @@ public:
 
   /// The grid that the samples are of; nothing where they are scattered.
   const std::optional<Grid>& grid() const { return grid_; }
+
+  /// The coordinates that the grid and all positions have.
+  const ImageFrame& frame() const { return frame_; }
 
   /// Scattered samples; empty where they form a grid. They are valid as long as this object
   /// lives and the data stays as it is.
@@ -64,6 +68,7 @@ private:
   vtkIdType size_ = 0;
   std::vector<ProbeLeaf> leaves_;
   std::optional<Grid> grid_;
+  ImageFrame frame_;              ///< the space's, if samples are scattered
   std::vector<double> positions_; ///< empty if samples_ are the data's own
   VectorsView samples_;
 };

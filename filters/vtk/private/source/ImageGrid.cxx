@@ -8,19 +8,54 @@
 namespace winding
 {
 
-std::optional<Grid> gridOfImage(vtkDataSet* data, bool atCells)
+namespace
+{
+
+/// The directions in which the indices of an image grow, as columns.
+Eigen::Matrix3d axesOf(vtkImageData* image)
+{
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  Eigen::Matrix3d axes = Eigen::Map<const RowMajor>(image->GetDirectionMatrix()->GetData());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (image->GetSpacing()[axis] < 0)
+    {
+      axes.col(axis) *= -1;
+    }
+  }
+  return axes;
+}
+
+} // namespace
+
+bool hasRightAngles(vtkImageData* image)
+{
+  const Eigen::Matrix3d axes = axesOf(image);
+  const Eigen::Matrix3d skew = axes.transpose() * axes - Eigen::Matrix3d::Identity();
+  return (skew.array().abs() <= mostSkew).all(); // and none is NaN
+}
+
+std::optional<ImageGrid> gridOfImage(vtkDataSet* data, bool atCells)
 {
   auto* image = vtkImageData::SafeDownCast(data);
-  if (!image || image->GetNumberOfPoints() == 0 || !image->GetDirectionMatrix()->IsIdentity())
+  if (!image || image->GetNumberOfPoints() == 0 || !hasRightAngles(image))
   {
     return std::nullopt;
   }
+  ImageGrid result;
+  Eigen::Vector3d start(image->GetOrigin());
+  const Eigen::Matrix3d axes = axesOf(image);
+  if (axes != Eigen::Matrix3d::Identity())
+  {
+    result.frame = ImageFrame(axes, start);
+    start.setZero();
+  }
+  Grid& grid = result.grid;
   const int* const extent = image->GetExtent();
-  Grid grid;
-  grid.spacing = Eigen::Vector3d(image->GetSpacing());
+  grid.spacing = Eigen::Vector3d(image->GetSpacing()).cwiseAbs();
   for (int axis = 0; axis < 3; ++axis)
   {
-    grid.firstSample[axis] = image->GetOrigin()[axis] + extent[2 * axis] * grid.spacing[axis];
+    grid.firstSample[axis] = start[axis] + extent[2 * axis] * grid.spacing[axis];
     grid.dimensions[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1;
     if (atCells && grid.dimensions[axis] > 1)
     {
@@ -40,7 +75,7 @@ std::optional<Grid> gridOfImage(vtkDataSet* data, bool atCells)
   {
     return std::nullopt;
   }
-  return grid;
+  return result;
 }
 
 } // namespace winding

@@ -2,6 +2,7 @@
 
 #include "base/Refusal.h"
 #include "private/source/ContentHash.h"
+#include "private/source/FramedViews.h"
 #include "private/source/SourceMemory.h"
 #include "source/Sanitize.h"
 
@@ -41,10 +42,11 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
         throw Refusal(onlyLines()); // even if normals are to be estimated
       }
       const bool isSameSource = memory.isSame(*views, options.input);
-      return field_ && isSameSource && options_ == options.field &&
+      return field_ && isSameSource && options_ == options.field && frame_ == options.frame &&
              distribution_ == options.distribution && ranks_ == ranks.count();
     });
   source_ = memory; // not before: where a rank refuses its part, the field is still of the last one
+  frame_ = options.frame;
   distribution_ = options.distribution;
   ranks_ = ranks.count();
   wasBuilt_ = !isKept;
@@ -53,8 +55,12 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
     info_ = FieldInfo();
     field_ = nullptr; // the old and the new one need not fit into memory together
     views->compare(ranks, options.distribution);
-    refuseHugeSource(*views, withNormals(bytesOfField, mayFindConsistentNormals(options.field)),
-      "the field", ranks, onlyOnFirst);
+    BytesOfWork bytes = withNormals(bytesOfField, mayFindConsistentNormals(options.field));
+    if (!frame_.isStraight())
+    {
+      bytes = withFramedViews(bytes);
+    }
+    refuseHugeSource(*views, bytes, "the field", ranks, onlyOnFirst);
     views->gather(ranks, onlyOnFirst);
     if (onlyOnFirst && ranks.rank() > 0)
     {
@@ -62,9 +68,10 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
     }
     else
     {
+      FramedViews framed(frame_);
       field_ = views->isSurface() || views->isEmpty()
-                 ? Field::build(views->triangles(), options.field, executor)
-                 : Field::build(views->orientedPoints(), options.field, executor);
+                 ? Field::build(framed.of(views->triangles()), options.field, executor)
+                 : Field::build(framed.of(views->orientedPoints()), options.field, executor);
     }
     options_ = options.field;
     info_ = field_->info();

@@ -3,6 +3,7 @@
 #include "base/Bounds.h"
 #include "base/Executor.h"
 #include "field/Field.h"
+#include "private/source/ImageFrame.h"
 #include "private/source/InputViews.h"
 
 class vtkDataObject;
@@ -15,6 +16,7 @@ struct SourceOptions
 {
   InputOptions input;
   FieldOptions field;
+  ImageFrame frame; ///< the coordinates of the field; each rank may have its own
   SourceDistribution distribution = SourceDistribution::automatic;
 };
 
@@ -25,7 +27,7 @@ inline bool mayFindConsistentNormals(const FieldOptions& options)
          options.normalEstimation != NormalEstimation::spanningTree;
 }
 
-/// A hash of options, by which ranks find out whether theirs are the same.
+/// A hash of options, by which ranks find out whether theirs are the same. The frame is left out.
 Ranks::Number hashOf(const SourceOptions& options);
 
 /**
@@ -68,6 +70,7 @@ private:
 
   Memory source_;
   FieldOptions options_;
+  ImageFrame frame_;
   SourceDistribution distribution_ = SourceDistribution::automatic;
   int ranks_ = 0;
   std::shared_ptr<const Field> field_;

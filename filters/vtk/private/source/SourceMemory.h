@@ -29,6 +29,13 @@ inline BytesOfWork withNormals(const BytesOfWork& bytes, bool areFound)
   return {bytes.perCell, areFound && bytes.perPoint < perPoint ? perPoint : bytes.perPoint};
 }
 
+/// The memory of work on a source that is seen in the coordinates of an image (FramedViews.h), too:
+/// of a point and three ids for each cell, or of a point and its normal.
+inline BytesOfWork withFramedViews(const BytesOfWork& bytes)
+{
+  return {bytes.perCell + 48, bytes.perPoint + 48};
+}
+
 /// Throws OutOfMemory where the work on the source of all ranks, which they have compared, does not
 /// fit into free memory, before anything is allocated. `what` names the work, as in "the report".
 /// Where the first rank works alone, the others need no memory. Collective.
