@@ -47,7 +47,7 @@ TEST(CommandLine, UsageErrors)
     {{"field", in, "-o", vti, "--distance", "--distance-band", "inf"}, "--distance-band is inf"},
     {{"field", in, "-o", vtp}, ".vti"},
     {{"surface", in, "-o", vti}, ".stl"},
-    {{"probe", in, in, "-o", vti}, ".csv"},
+    {{"probe", in, in, "-o", folder.path("out.stl")}, ".csv"},
     {{"field", in, "-o", vti, "--resolution", "0"}, "--resolution is 0"},
     {{"field", in, "-o", vti, "--resolution", "-7"}, "--resolution is -7"},
     {{"field", in, "-o", vti, "--resolution", "many"}, "--resolution"},

@@ -12,10 +12,16 @@ import xml.etree.ElementTree as ElementTree
 SUFFIX = r"\.[a-z]+"
 
 
-def table_in(path):
-    """The suffixes of a table `formats[]`."""
+def table_in(path, condition=""):
+    """The suffixes of a table `formats[]`, in the rows that go on with a condition."""
     table = re.search(r"formats\[\] = \{(.*?)\};", path.read_text(), re.DOTALL)[1]
-    return re.findall(rf'\{{"({SUFFIX})"', table)
+    return re.findall(rf'\{{"({SUFFIX})", {condition}', table)
+
+
+def medical_images(root):
+    """The suffixes of medical images."""
+    text = (root / "apps/winding/files/Formats.cxx").read_text()
+    return re.search(r'suffixesWhere\(false\) \+ "(.*?)"', text)[1].split()
 
 
 def panel_suffixes(path):
@@ -28,12 +34,15 @@ def panel_suffixes(path):
 
 def main(root):
     read = table_in(root / "filters/files/MeshFormats.cxx")
-    all_inputs = table_in(root / "apps/winding/files/Formats.cxx") + read
+    of_vtk = root / "apps/winding/files/Formats.cxx"
+    all_inputs = table_in(of_vtk, "true") + read
+    images = " ".join(table_in(of_vtk, "false") + medical_images(root))
     shown, classes = " ".join(all_inputs), " ".join(read)
     faults = []
     if sorted(panel_suffixes(root / "paraview-plugin/Readers.xml")) != sorted(read):
         faults.append(f"Readers.xml does not have the suffixes {classes}, once each")
     for name, text in (("README.md", f"It reads `{shown}`"), ("docs/guide.md", f"It reads `{shown}`"),
+                       ("docs/guide.md", f"images and grids `{images}`"),
                        ("docs/guide.md", f"| `vtkSourceReader` | `{classes}` ")):
         if text not in " ".join((root / name).read_text().split()):
             faults.append(f"{name} does not say: {text}")

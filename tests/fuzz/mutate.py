@@ -108,6 +108,11 @@ def mutated(content, chance):
     return content
 
 
+def is_image(name):
+    """Whether a file holds an image or a grid, which are for queries alone."""
+    return name.endswith((".mha", ".nrrd", ".nii", ".vti", ".vtr", ".vts"))
+
+
 def command_for(chance, name, other):
     """The arguments that follow the program, and the outputs that they name."""
     grid = chance.choice(
@@ -143,6 +148,8 @@ def command_for(chance, name, other):
             "check",
         )
     )
+    if is_image(name):
+        command = "probe"
     if command == "field":
         extra = chance.choice(
             (
@@ -185,7 +192,7 @@ def command_for(chance, name, other):
     if command == "probe":
         output = "out" + chance.choice((".csv", ".csv", ".vtp", ".vtu"))
         extra = chance.choice(([], ["--extract"], ["--distance"], ["--inside-out"]))
-        pair = [name, other] if chance.random() < 0.5 else [other, name]
+        pair = [name, other] if chance.random() < 0.5 and not is_image(name) else [other, name]
         return ["probe", *pair, "-o", output, *method, *cloud, *extra], [output]
     if command == "normals":
         output = "out" + chance.choice((".ply", ".xyz", ".pwn", ".csv", ".vtp", ".vtu"))
@@ -240,13 +247,14 @@ class Mutants:
     def __init__(self, program, failures):
         self.program, self.failures = program, failures
         self.files = list(seeds.all_files())
+        self.sources = [file for file in self.files if not is_image(file[0])]
         self.slowest, self.statuses = (0, None), {}
 
     def run(self, seed):
         """Runs one mutant. Returns what is wrong with it, or None."""
         chance = random.Random(seed)
         suffix, _, content = chance.choice(self.files)
-        other_suffix, _, other_content = chance.choice(self.files)
+        other_suffix, _, other_content = chance.choice(self.sources)
         name, other = "in" + suffix, "other" + other_suffix
         arguments, written = command_for(chance, name, other)
         folder = pathlib.Path(tempfile.mkdtemp(prefix="winding_mutant_"))

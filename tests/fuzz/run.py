@@ -34,6 +34,12 @@ FILES_OF = {
     "gltf": [".gltf"],
     "glb": [".glb"],
     "gz": [".xyz.gz"],
+    "mha": [".mha"],
+    "nrrd": [".nrrd"],
+    "nii": [".nii"],
+    "vti": [".vti"],
+    "vtr": [".vtr"],
+    "vts": [".vts"],
     "options": [],
 }
 ENVIRONMENT = {

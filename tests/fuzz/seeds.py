@@ -348,6 +348,76 @@ def packed(points):
         yield name, gzip.compress(content.encode(), mtime=0)
 
 
+# Images of two voxels along each axis, around the shapes.
+STEPS = [(0.4, 0.3, 0), (-0.3, 0.4, 0), (0, 0, -0.5)]
+FIRST = (0.2, 0.1, 0.6)
+
+
+def meta_image():
+    head = "ObjectType = Image\nNDims = 3\n"
+    place = "TransformMatrix = 0.8 0.6 0 -0.6 0.8 0 0 0 -1\nOffset = 0.2 0.1 0.6\n"
+    tail = "ElementSpacing = 0.5 0.5 0.5\nDimSize = 2 2 2\nElementType = MET_UCHAR\n"
+    yield "place", head + place + tail + "ElementDataFile = LOCAL\n" + "\0" * 8
+    yield "straight", head + "DimSize = 2 2 2\nElementSize = 1 1 1\nElementDataFile = LOCAL\n"
+
+
+def nrrd():
+    def vector(values):
+        return "(" + ",".join(map(str, values)) + ")"
+
+    head = "NRRD0004\n# made by hand\ntype: uchar\n"
+    axes = "space directions: " + " ".join(map(vector, STEPS)) + "\n"
+    tail = f"space origin: {vector(FIRST)}\nencoding: raw\nkey:=value\n\n"
+    yield "place", head + "dimension: 3\nspace: LPS\nsizes: 2 2 2\n" + axes + tail
+    channels = axes.replace(": ", ": none ")
+    yield "channels", head + "dimension: 4\nspace: ras\nsizes: 3 2 2 2\n" + channels + tail
+    yield "straight", head + "dimension: 3\nsizes: 2 2 2\nspacings: 1 nan 0.5\n\n"
+
+
+def nifti():
+    for order in "<>":
+        for codes in ((0, 1), (1, 0), (0, 0)):
+            head = bytearray(352)
+            struct.pack_into(f"{order}i", head, 0, 348)
+            struct.pack_into(f"{order}8h", head, 40, 3, 2, 2, 2, 1, 1, 1, 1)
+            struct.pack_into(f"{order}4f", head, 76, -1, 0.5, 0.5, 0.5)
+            struct.pack_into(f"{order}2h6f", head, 252, *codes, 0, 0, 0.3, *FIRST)
+            for row in range(3):
+                numbers_of_row = (*(step[row] for step in STEPS), FIRST[row])
+                struct.pack_into(f"{order}4f", head, 280 + 16 * row, *numbers_of_row)
+            head[344:347] = b"n+1"
+            yield f"{'little' if order == '<' else 'big'}{codes[0]}{codes[1]}", bytes(head)
+    yield "packed", gzip.compress(bytes(head), mtime=0)
+    wide = bytearray(544)
+    struct.pack_into("<i3s", wide, 0, 540, b"n+2")
+    struct.pack_into("<4q", wide, 16, 3, 2, 2, 2)
+    struct.pack_into("<4d", wide, 104, 1, 0.5, 0.5, 0.5)
+    struct.pack_into("<2i6d", wide, 344, 1, 0, 0, 0, 0.3, *FIRST)
+    yield "wide", bytes(wide)
+
+
+def grids(kind):
+    """An image, a rectilinear or a curvilinear grid of 2 by 2 by 2 points."""
+    for way in ("ascii", "zlib", "appended"):
+        xml = Xml(way)
+        values = '<PointData Scalars="v">\n' + xml.array("v", "Float32", 1, [(1,)] * 8)
+        values += "</PointData>\n"
+        if kind == "RectilinearGrid":
+            axis = [(0.2,), (0.9,)]
+            values += "<Coordinates>" + "".join(
+                xml.array(name, "Float64", 1, axis) for name in "xyz") + "</Coordinates>\n"
+        if kind == "StructuredGrid":
+            values += "<Points>" + xml.array("Points", "Float64", 3, CUBE) + "</Points>\n"
+        whole = '<Piece Extent="0 1 0 1 0 1">\n' + values + "</Piece>\n"
+        attributes = ' WholeExtent="0 1 0 1 0 1"'
+        if kind == "ImageData":
+            attributes += ' Origin="0.2 0.1 0.6" Spacing="0.5 0.5 0.5"'
+            attributes += ' Direction="0.8 -0.6 0 0.6 0.8 0 0 0 -1"'
+        content = xml.file(kind, whole)
+        data = content if isinstance(content, bytes) else content.encode()
+        yield way, data.replace(f"<{kind}>".encode(), f"<{kind}{attributes}>".encode(), 1)
+
+
 COMMANDS = [
     "field a.off -o b.vti --resolution 8 --inside --distance --distance-band 2",
     "field a.off -o b.vti --coverage fraction --coverage-samples 3",
@@ -393,6 +463,10 @@ def all_files():
             (".pwn", cloud(points)),
             (".xyz.gz", packed(points)),
         ]
+        if shape == "tetra":
+            made += [(".mha", meta_image()), (".nrrd", nrrd()), (".nii", nifti())]
+            made += [(".vti", grids("ImageData")), (".vtr", grids("RectilinearGrid"))]
+            made += [(".vts", grids("StructuredGrid"))]
         for suffix, files in made:
             for name, content in files:
                 data = content if isinstance(content, bytes) else content.encode()

@@ -10,13 +10,13 @@
 #include <vector>
 
 class OutputFile;
-class vtkPointSet;
+class vtkDataSet;
 
 /// The points asked about, and the table that they come from, if they come from one.
 struct Queries
 {
   std::optional<QueryTable> table;
-  vtkSmartPointer<vtkPointSet> points;
+  vtkSmartPointer<vtkDataSet> points;
 };
 
 /// The rows of an answer, which are the queries' as they came in, or the coordinates of

@@ -35,7 +35,7 @@ void execute(vtkWindingNumberProbe& probe, const Options& options, Messages& mes
 
 /// Refuses queries that a probe would refuse, such as cells that contradict themselves, for bare
 /// points no longer show that. The probe that looks at them has a tetrahedron for its source.
-void checkQueries(vtkPointSet* queries, const Options& options, Messages& messages)
+void checkQueries(vtkDataSet* queries, const Options& options, Messages& messages)
 {
   vtkNew<vtkPoints> corners;
   corners->InsertNextPoint(0, 0, 0);
@@ -72,7 +72,7 @@ vtkIdType startOfDeal(vtkIdType queries, int rank)
 }
 
 /// The points that are dealt to this rank.
-vtkSmartPointer<vtkPolyData> dealtPoints(vtkPointSet* queries)
+vtkSmartPointer<vtkPolyData> dealtPoints(vtkDataSet* queries)
 {
   const auto all = static_cast<vtkIdType>(
     parallel::sum(parallel::isFirst() ? static_cast<double>(queries->GetNumberOfPoints()) : 0));
@@ -135,7 +135,7 @@ vtkSmartPointer<vtkDataArray> gathered(vtkDataArray* own, vtkIdType all)
 }
 
 ProbeAnswer dealtAnswer(
-  vtkWindingNumberProbe& probe, vtkPointSet* queries, const Options& options, Messages& messages)
+  vtkWindingNumberProbe& probe, vtkDataSet* queries, const Options& options, Messages& messages)
 {
   const vtkSmartPointer<vtkPolyData> own = dealtPoints(queries);
   probe.SetInputDataObject(own);
@@ -171,7 +171,7 @@ ProbeAnswer dealtAnswer(
 } // namespace
 
 ProbeAnswer probeOnAllRanks(
-  vtkWindingNumberProbe& probe, vtkPointSet* queries, const Options& options, Messages& messages)
+  vtkWindingNumberProbe& probe, vtkDataSet* queries, const Options& options, Messages& messages)
 {
   if (!parallel::isAlone() && !probe.GetExtractInside())
   {

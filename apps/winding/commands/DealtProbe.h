@@ -7,7 +7,6 @@
 class Messages;
 struct Options;
 class vtkDataSet;
-class vtkPointSet;
 class vtkWindingNumberProbe;
 
 /// The answer to queries.
@@ -24,4 +23,4 @@ struct ProbeAnswer
  * Throws Failure on all ranks. Collective.
  */
 ProbeAnswer probeOnAllRanks(
-  vtkWindingNumberProbe& probe, vtkPointSet* queries, const Options& options, Messages& messages);
+  vtkWindingNumberProbe& probe, vtkDataSet* queries, const Options& options, Messages& messages);

@@ -59,7 +59,7 @@ void checkColumns(const std::function<bool(const std::string&)>& isColumn, const
 }
 
 /// Reads the queries into a place where they stay.
-void readQueries(const Options& options, Messages& messages, Queries& queries)
+void takeQueries(const Options& options, Messages& messages, Queries& queries)
 {
   const std::string unpacked = unpackedName(options.queries);
   if (isTable(unpacked))
@@ -82,7 +82,7 @@ void readQueries(const Options& options, Messages& messages, Queries& queries)
     checkColumns(
       [](const std::string& name) { return name == "x" || name == "y" || name == "z"; }, options);
   }
-  queries.points = readPoints(options.queries, messages, {options.columns, true});
+  queries.points = readQueries(options.queries, messages, {options.columns, true});
 }
 
 void printReport(const Options& options, vtkWindingNumberProbe& probe, const ProbeAnswer& probed,
@@ -137,7 +137,7 @@ void runProbe(const Options& options, Messages& messages)
   const auto output = openOnFirstRank(options);
   Queries queries;
   queries.points = vtkSmartPointer<vtkPolyData>::New();
-  parallel::agreeOnFirst([&] { readQueries(options, messages, queries); });
+  parallel::agreeOnFirst([&] { takeQueries(options, messages, queries); });
   const auto source = readSource(options, messages);
   const double readSeconds = stopwatch.seconds();
 
@@ -164,7 +164,7 @@ void runProbe(const Options& options, Messages& messages)
       }
       else
       {
-        writePoints(vtkPointSet::SafeDownCast(probed.data), *output, messages);
+        writePoints(probed.data, *output, messages);
       }
       output->commit();
     });

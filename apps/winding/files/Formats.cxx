@@ -5,10 +5,13 @@
 #include "vtkDataSetReader.h"
 #include "vtkGLTFReader.h"
 #include "vtkSourceReader.h"
+#include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLPPolyDataReader.h"
 #include "vtkXMLPUnstructuredGridReader.h"
 #include "vtkXMLPolyDataReader.h"
+#include "vtkXMLRectilinearGridReader.h"
+#include "vtkXMLStructuredGridReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
 #include <filesystem>
@@ -44,21 +47,39 @@ vtkSmartPointer<vtkAlgorithm> gltf(const std::string& fileName)
 }
 
 constexpr VtkFormat formats[] = {
-  {".vtp", plain<vtkXMLPolyDataReader>},
-  {".vtk", legacyVtk},
-  {".vtu", plain<vtkXMLUnstructuredGridReader>},
-  {".vtm", plain<vtkXMLMultiBlockDataReader>},
-  {".pvtp", plain<vtkXMLPPolyDataReader>},
-  {".pvtu", plain<vtkXMLPUnstructuredGridReader>},
-  {".gltf", gltf},
-  {".glb", gltf},
+  {".vtp", true, plain<vtkXMLPolyDataReader>},
+  {".vtk", true, legacyVtk},
+  {".vtu", true, plain<vtkXMLUnstructuredGridReader>},
+  {".vtm", true, plain<vtkXMLMultiBlockDataReader>},
+  {".pvtp", true, plain<vtkXMLPPolyDataReader>},
+  {".pvtu", true, plain<vtkXMLPUnstructuredGridReader>},
+  {".gltf", true, gltf},
+  {".glb", true, gltf},
+  {".vti", false, plain<vtkXMLImageDataReader>},
+  {".vtr", false, plain<vtkXMLRectilinearGridReader>},
+  {".vts", false, plain<vtkXMLStructuredGridReader>},
 };
+
+/// The suffixes of VTK's formats that may hold a source, or may not, each with a blank behind it.
+std::string suffixesWhere(bool isSource)
+{
+  std::string suffixes;
+  for (const VtkFormat& format : formats)
+  {
+    suffixes += format.isSource == isSource ? format.suffix + std::string(" ") : "";
+  }
+  return suffixes;
+}
 
 } // namespace
 
 std::string suffixOf(const std::string& fileName)
 {
-  return inSmallLetters(std::filesystem::path(fileName).extension().string());
+  const std::filesystem::path path(fileName);
+  const std::string suffix = inSmallLetters(path.extension().string());
+  const bool isPacked =
+    suffix == ".gz" && inSmallLetters(path.stem().extension().string()) == ".nii";
+  return isPacked ? ".nii.gz" : suffix;
 }
 
 std::string unpackedName(const std::string& fileName)
@@ -93,10 +114,10 @@ const VtkFormat* vtkFormatOf(const std::string& suffix)
 
 std::string inputSuffixes()
 {
-  std::string suffixes;
-  for (const VtkFormat& format : formats)
-  {
-    suffixes += format.suffix + std::string(" ");
-  }
-  return suffixes + vtkSourceReader::GetFileExtensions();
+  return suffixesWhere(true) + vtkSourceReader::GetFileExtensions();
+}
+
+std::string imageSuffixes()
+{
+  return suffixesWhere(false) + ".mha .nrrd .nii .nii.gz";
 }

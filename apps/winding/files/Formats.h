@@ -7,7 +7,7 @@
 class vtkAlgorithm;
 
 /// Returns the end of a file name that says what is in the file: from its last dot on, in small
-/// letters. May be empty.
+/// letters, or ".nii.gz". May be empty.
 std::string suffixOf(const std::string& fileName);
 
 /// Returns a file's name without the suffix .gz: its own suffix says what is packed there. VTK's
@@ -24,6 +24,7 @@ char separatorOf(const std::string& fileName);
 struct VtkFormat
 {
   const char* suffix;
+  bool isSource; ///< whether it may hold a source; others are for queries
 
   /// Makes a reader for a file.
   vtkSmartPointer<vtkAlgorithm> (*makeReader)(const std::string& fileName);
@@ -32,6 +33,10 @@ struct VtkFormat
 /// Returns the format of a suffix; null if none has it.
 const VtkFormat* vtkFormatOf(const std::string& suffix);
 
-/// Returns the suffixes of all files that can be read, with blanks between them: VTK's formats, and
-/// what vtkSourceReader reads.
+/// Returns the suffixes of all files that may hold a source, with blanks between them: VTK's
+/// formats, and what vtkSourceReader reads.
 std::string inputSuffixes();
+
+/// Returns the suffixes of files that hold images and grids, for queries only, with blanks between
+/// them: VTK's formats, and medical ones (ImageSpace.h).
+std::string imageSuffixes();

@@ -65,7 +65,7 @@ struct Kind
 };
 
 constexpr Kind kinds[] = {{"PLY", ".ply", isPly}, {"legacy VTK", ".vtk", isLegacyVtk},
-  {"VTK XML", ".vtp .vtu .vtm .pvtp or .pvtu", isXml}, {"OFF", ".off", isOff},
+  {"VTK XML", ".vtp .vtu .vtm .pvtp .pvtu .vti .vtr or .vts", isXml}, {"OFF", ".off", isOff},
   {"binary glTF", ".glb", isBinaryGltf}, {"JSON", ".gltf", isJson}};
 
 /// Returns the kind for which `fits` holds; null if there is none.

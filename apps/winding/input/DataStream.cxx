@@ -6,12 +6,15 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkMatrix3x3.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiPieceDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
@@ -246,11 +249,9 @@ vtkSmartPointer<vtkPointSet> receivePolyData(ByteSource& source)
   return polyData;
 }
 
-void sendStructure(vtkStructuredGrid* grid, ByteSink& sink)
+void sendExtent(int* extent, ByteSink& sink)
 {
-  std::array<int, 6> extent;
-  grid->GetExtent(extent.data());
-  sink.put(extent);
+  sink.put(std::array<int, 6>{extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]});
 }
 
 vtkSmartPointer<vtkPointSet> receiveStructure(ByteSource& source)
@@ -260,7 +261,63 @@ vtkSmartPointer<vtkPointSet> receiveStructure(ByteSource& source)
   return grid;
 }
 
-void sendPointSet(vtkPointSet* data, ByteSink& sink)
+void sendImage(vtkImageData* image, ByteSink& sink)
+{
+  sendExtent(image->GetExtent(), sink);
+  sink.put(image->GetOrigin(), 3 * sizeof(double));
+  sink.put(image->GetSpacing(), 3 * sizeof(double));
+  sink.put(image->GetDirectionMatrix()->GetData(), 9 * sizeof(double));
+}
+
+vtkSmartPointer<vtkDataSet> receiveImage(ByteSource& source)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetExtent(source.take<std::array<int, 6>>().data());
+  image->SetOrigin(source.take<std::array<double, 3>>().data());
+  image->SetSpacing(source.take<std::array<double, 3>>().data());
+  image->SetDirectionMatrix(source.take<std::array<double, 9>>().data());
+  return image;
+}
+
+void sendAxes(vtkRectilinearGrid* grid, ByteSink& sink)
+{
+  sendExtent(grid->GetExtent(), sink);
+  for (vtkDataArray* axis :
+    {grid->GetXCoordinates(), grid->GetYCoordinates(), grid->GetZCoordinates()})
+  {
+    sendArray(axis, sink);
+  }
+}
+
+vtkSmartPointer<vtkDataSet> receiveAxes(ByteSource& source)
+{
+  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+  grid->SetExtent(source.take<std::array<int, 6>>().data());
+  grid->SetXCoordinates(receiveNumbers(source));
+  grid->SetYCoordinates(receiveNumbers(source));
+  grid->SetZCoordinates(receiveNumbers(source));
+  return grid;
+}
+
+/// Receives a data set of any type, as yet without points that are no matter of its type.
+vtkSmartPointer<vtkDataSet> receiveCellsOf(int type, ByteSource& source)
+{
+  switch (type)
+  {
+  case VTK_POLY_DATA:
+    return receivePolyData(source);
+  case VTK_UNSTRUCTURED_GRID:
+    return receiveGrid(source);
+  case VTK_STRUCTURED_GRID:
+    return receiveStructure(source);
+  case VTK_RECTILINEAR_GRID:
+    return receiveAxes(source);
+  default:
+    return receiveImage(source);
+  }
+}
+
+void sendDataSet(vtkDataSet* data, ByteSink& sink)
 {
   if (auto* polyData = vtkPolyData::SafeDownCast(data))
   {
@@ -270,26 +327,33 @@ void sendPointSet(vtkPointSet* data, ByteSink& sink)
   {
     sendGrid(grid, sink);
   }
+  else if (auto* structure = vtkStructuredGrid::SafeDownCast(data))
+  {
+    sendExtent(structure->GetExtent(), sink);
+  }
+  else if (auto* axes = vtkRectilinearGrid::SafeDownCast(data))
+  {
+    sendAxes(axes, sink);
+  }
   else
   {
-    sendStructure(vtkStructuredGrid::SafeDownCast(data), sink);
+    sendImage(vtkImageData::SafeDownCast(data), sink);
   }
-  sendArray(data->GetPoints() ? data->GetPoints()->GetData() : nullptr, sink);
+  auto* points = vtkPointSet::SafeDownCast(data);
+  sendArray(points && points->GetPoints() ? points->GetPoints()->GetData() : nullptr, sink);
   sendAttributes(data->GetPointData(), sink);
   sendAttributes(data->GetCellData(), sink);
   sendFields(data->GetFieldData(), sink);
 }
 
-vtkSmartPointer<vtkPointSet> receivePointSet(int type, ByteSource& source)
+vtkSmartPointer<vtkDataSet> receiveDataSet(int type, ByteSource& source)
 {
-  vtkSmartPointer<vtkPointSet> data = type == VTK_POLY_DATA           ? receivePolyData(source)
-                                      : type == VTK_UNSTRUCTURED_GRID ? receiveGrid(source)
-                                                                      : receiveStructure(source);
+  const vtkSmartPointer<vtkDataSet> data = receiveCellsOf(type, source);
   if (const auto coordinates = receiveNumbers(source))
   {
     vtkNew<vtkPoints> points;
     points->SetData(coordinates);
-    data->SetPoints(points);
+    vtkPointSet::SafeDownCast(data)->SetPoints(points);
   }
   receiveAttributes(source, data->GetPointData());
   receiveAttributes(source, data->GetCellData());
@@ -376,7 +440,7 @@ void sendData(vtkDataObject* data, ByteSink& sink)
   }
   else if (data)
   {
-    sendPointSet(vtkPointSet::SafeDownCast(data), sink);
+    sendDataSet(vtkDataSet::SafeDownCast(data), sink);
   }
 }
 
@@ -395,5 +459,5 @@ vtkSmartPointer<vtkDataObject> receiveData(ByteSource& source)
   {
     return receiveBlocks<vtkMultiPieceDataSet>(source);
   }
-  return receivePointSet(type, source);
+  return receiveDataSet(type, source);
 }

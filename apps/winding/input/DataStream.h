@@ -42,10 +42,11 @@ public:
 };
 
 /**
- * Sends vtkPolyData, a vtkUnstructuredGrid or a vtkStructuredGrid with its points, cells and
- * arrays: all bits, names, names of components and active attributes. A vtkMultiBlockDataSet or a
- * vtkMultiPieceDataSet is sent with its names and with what of these it holds. Information keys of
- * arrays stay behind. The function follows neither offsets nor ids, which may be wrong.
+ * Sends vtkPolyData, a vtkUnstructuredGrid or a grid whose cells follow from its extent, with its
+ * points, cells and arrays: all bits, names, names of components and active attributes. A
+ * vtkMultiBlockDataSet or a vtkMultiPieceDataSet is sent with its names and with what of these it
+ * holds. Information keys of arrays stay behind. The function follows neither offsets nor ids,
+ * which may be wrong.
  */
 void sendData(vtkDataObject* data, ByteSink& sink);
 

@@ -3,6 +3,7 @@
 #include "files/Formats.h"
 #include "files/SinglePrecision.h"
 #include "input/ContentCheck.h"
+#include "input/ImageHeader.h"
 #include "input/Leaves.h"
 #include "input/ReaderProcess.h"
 #include "program/Failure.h"
@@ -10,6 +11,7 @@
 #include "program/Messages.h"
 #include "program/Progress.h"
 
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSourceReader.h"
@@ -29,11 +31,29 @@ bool haveLostDigits(vtkPointSet* points)
   return precision == SinglePrecision::movesPoints || precision == SinglePrecision::collapsesPoints;
 }
 
+bool isOneOf(const std::string& suffix, const std::string& suffixes)
+{
+  return (' ' + suffixes + ' ').find(' ' + suffix + ' ') != std::string::npos;
+}
+
+vtkSmartPointer<vtkDataObject> readByVtk(
+  const std::string& fileName, const VtkFormat& format, Messages& messages)
+{
+  checkContentFits(fileName);
+  return readInProcess(fileName, format, messages);
+}
+
 vtkSmartPointer<vtkDataObject> read(
   const std::string& fileName, Messages& messages, const ColumnOptions& columns)
 {
   const std::string suffix = suffixOf(unpackedName(fileName));
-  if ((' ' + inputSuffixes() + ' ').find(' ' + suffix + ' ') == std::string::npos)
+  if (isOneOf(suffix, imageSuffixes()))
+  {
+    throw Failure(EXIT_REFUSED, fileName,
+      "is an image or a grid, and no surface or points; contour it first, or give it to winding "
+      "probe or --like");
+  }
+  if (!isOneOf(suffix, inputSuffixes()))
   {
     throw Failure(EXIT_REFUSED, fileName,
       "has a suffix that is not known; give one of " + inputSuffixes() +
@@ -41,8 +61,7 @@ vtkSmartPointer<vtkDataObject> read(
   }
   if (const VtkFormat* const format = vtkFormatOf(suffix))
   {
-    checkContentFits(fileName);
-    return readInProcess(fileName, *format, messages);
+    return readByVtk(fileName, *format, messages);
   }
   vtkNew<vtkSourceReader> reader;
   reader->SetReadAllColumns(columns.areAll);
@@ -81,6 +100,22 @@ vtkSmartPointer<vtkPointSet> readPoints(
     throw Failure(EXIT_REFUSED, fileName, "has several blocks; give them as one data set");
   }
   return points;
+}
+
+vtkSmartPointer<vtkDataSet> readQueries(
+  const std::string& fileName, Messages& messages, const ColumnOptions& columns)
+{
+  const std::string suffix = suffixOf(fileName);
+  messages.setSubject(fileName);
+  if (isMedical(suffix))
+  {
+    return readImageHeader(fileName).image;
+  }
+  if (const VtkFormat* const format = vtkFormatOf(suffix); format && !format->isSource)
+  {
+    return vtkDataSet::SafeDownCast(readByVtk(fileName, *format, messages));
+  }
+  return readPoints(fileName, messages, columns);
 }
 
 void readBy(vtkSourceReader* reader, const std::string& fileName, Messages& messages)

@@ -6,6 +6,7 @@
 
 class Messages;
 class vtkDataObject;
+class vtkDataSet;
 class vtkPointSet;
 class vtkSourceReader;
 
@@ -26,6 +27,14 @@ vtkSmartPointer<vtkDataObject> readInput(
 
 /// Reads a file as readInput() does, and throws Failure where it has blocks.
 vtkSmartPointer<vtkPointSet> readPoints(
+  const std::string& fileName, Messages& messages, const ColumnOptions& columns = {});
+
+/**
+ * Reads queries, which may also be an image or a grid, by the suffix of its name: one of
+ * inputSuffixes() or imageSuffixes(). Of a medical image it reads where its voxels lie, and no
+ * values (ImageHeader.h). Throws Failure as readInput() does.
+ */
+vtkSmartPointer<vtkDataSet> readQueries(
   const std::string& fileName, Messages& messages, const ColumnOptions& columns = {});
 
 /// Reads a file with a reader of the module, which believes nothing that the file does not hold,

@@ -167,7 +167,7 @@ void limitToReading(std::uintmax_t fileSize)
   limitTime(fixedSeconds + secondsPerByte * static_cast<double>(fileSize));
 }
 
-/// Throws Failure for data that holds anything but surfaces, unstructured grids or points.
+/// Throws Failure for a source that holds anything but surfaces, unstructured grids or points.
 void checkKind(vtkDataObject* data, const std::string& fileName)
 {
   forEachLeaf(data,
@@ -197,7 +197,14 @@ vtkSmartPointer<vtkDataObject> read(
         vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
   }
   vtkSmartPointer<vtkDataObject> data = reader->GetOutputDataObject(0);
-  checkKind(data, fileName);
+  if (format.isSource)
+  {
+    checkKind(data, fileName);
+  }
+  else if (!vtkDataSet::SafeDownCast(data))
+  {
+    throw Failure(EXIT_REFUSED, fileName, "holds no image and no grid; give another file");
+  }
   if (reader->IsA("vtkDataSetReader")) // it trusts the counts of a legacy file
   {
     checkLegacyVtkCounts(fileName, vtkPointSet::SafeDownCast(data));

@@ -1,5 +1,6 @@
 #include "options/CommandLine.h"
 
+#include "files/Formats.h"
 #include "options/OptionChecks.h"
 #include "options/OptionGroups.h"
 #include "program/Failure.h"
@@ -153,7 +154,7 @@ void addProbe(CLI::App& app, Options& options)
 {
   CLI::App* probe = app.add_subcommand("probe", "Winding numbers at given points");
   addInputsAndQueries(probe, options);
-  addOutput(probe, options, ".vtp .vtu .csv .tsv");
+  addOutput(probe, options, ".vtp .vtu .csv .tsv; for an image or a grid also .vti .vtr .vts");
   addThreshold(probe, options);
   probe
     ->add_flag("--inside-out", options.insideOut,

@@ -252,7 +252,8 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
   checkMethod(options, wasGiven);
   if (options.command == "probe")
   {
-    checkOutput(options.output, options.command, {".vtp", ".vtu", ".csv", ".tsv"});
+    checkOutput(
+      options.output, options.command, {".vtp", ".vtu", ".csv", ".tsv", ".vti", ".vtr", ".vts"});
   }
   else if (options.command == "labels")
   {

@@ -113,7 +113,7 @@ void addInputsAndQueries(CLI::App* command, Options& options)
     ->add_option("IN", options.inputs,
       "Surfaces or oriented points, all together one source; last, QUERIES, the points that are "
       "asked about, of any of the formats, .csv and .tsv with columns x,y,z: " +
-        inputSuffixes())
+        inputSuffixes() + "; QUERIES may also be an image or a grid: " + imageSuffixes())
     ->required()
     ->type_name("");
   addColumns(command, options);

@@ -25,6 +25,7 @@
 #include "vtkSTLWriter.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkXMLDataSetWriter.h"
 #include "vtkXMLImageDataWriter.h"
 #include "vtkXMLPolyDataWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
@@ -128,6 +129,16 @@ void configureXml(vtkXMLWriter* writer)
   writer->SetCompressorTypeToLZ4();
 }
 
+/// Writes data with arrays of any names.
+template <class Writer> void writeXml(vtkDataSet* data, OutputFile& file, Messages& messages)
+{
+  prepareNamesForXml(data);
+  vtkNew<Writer> writer;
+  configureXml(writer);
+  writer->SetInputData(data);
+  run(writer.Get(), file, messages);
+}
+
 /// Throws Failure where single precision cannot hold the points, and warns where it moves them.
 void checkSinglePrecision(vtkPolyData* surface, const OutputFile& file, Messages& messages)
 {
@@ -176,18 +187,19 @@ vtkSmartPointer<vtkPolyData> writable(
   return result;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> asUnstructuredGrid(vtkPointSet* points)
+vtkSmartPointer<vtkUnstructuredGrid> asUnstructuredGrid(vtkDataSet* points)
 {
-  if (points->GetNumberOfCells() > 0)
+  auto* pointSet = vtkPointSet::SafeDownCast(points);
+  if (!pointSet || points->GetNumberOfCells() > 0)
   {
-    vtkNew<vtkAppendFilter> append; // takes any point set
+    vtkNew<vtkAppendFilter> append; // takes any data set
     append->SetInputData(points);
     append->Update();
     return append->GetOutput();
   }
   // Without cells, the filter's result has no array of them, which the writer would follow.
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->SetPoints(points->GetPoints());
+  grid->SetPoints(pointSet->GetPoints());
   grid->Allocate(0);
   grid->GetPointData()->ShallowCopy(points->GetPointData());
   grid->GetFieldData()->ShallowCopy(points->GetFieldData());
@@ -250,32 +262,35 @@ void writeSurface(vtkPolyData* given, OutputFile& file, Messages& messages)
   }
   else
   {
-    prepareNamesForXml(surface);
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    configureXml(writer);
-    writer->SetInputData(surface);
-    run(writer.Get(), file, messages);
+    writeXml<vtkXMLPolyDataWriter>(surface, file, messages);
   }
 }
 
-void writePoints(vtkPointSet* points, OutputFile& file, Messages& messages)
+void writePoints(vtkDataSet* points, OutputFile& file, Messages& messages)
 {
   vtkPolyData* surface = vtkPolyData::SafeDownCast(points);
-  if (suffixOf(file.name()) == ".vtu")
-  {
-    const auto grid =
-      surface ? asUnstructuredGrid(writable(surface, file, messages)) : asUnstructuredGrid(points);
-    prepareNamesForXml(grid);
-    vtkNew<vtkXMLUnstructuredGridWriter> writer;
-    configureXml(writer);
-    writer->SetInputData(grid);
-    run(writer.Get(), file, messages);
-    return;
-  }
-  if (!surface)
+  const std::string suffix = suffixOf(file.name());
+  const bool fits = suffix == ".vti"   ? points->IsA("vtkImageData") != 0
+                    : suffix == ".vtr" ? points->IsA("vtkRectilinearGrid") != 0
+                    : suffix == ".vts" ? points->IsA("vtkStructuredGrid") != 0
+                                       : suffix == ".vtu" || surface;
+  if (!fits)
   {
     throw Failure(
       EXIT_REFUSED, file.name(), "cannot hold the cells of the queries; give it the suffix .vtu");
   }
-  writeSurface(surface, file, messages);
+  if (suffix == ".vti" || suffix == ".vtr" || suffix == ".vts")
+  {
+    writeXml<vtkXMLDataSetWriter>(points, file, messages);
+  }
+  else if (suffix == ".vtu")
+  {
+    const auto grid =
+      surface ? asUnstructuredGrid(writable(surface, file, messages)) : asUnstructuredGrid(points);
+    writeXml<vtkXMLUnstructuredGridWriter>(grid, file, messages);
+  }
+  else
+  {
+    writeSurface(surface, file, messages);
+  }
 }

@@ -5,9 +5,9 @@
 class Messages;
 class OutputFile;
 class vtkAlgorithmOutput;
+class vtkDataSet;
 class vtkHyperTreeGrid;
 class vtkImageData;
-class vtkPointSet;
 class vtkPolyData;
 
 /**
@@ -29,5 +29,6 @@ void writeImage(vtkImageData* image, OutputFile& file, Messages& messages);
 /// Writes a surface: .vtp .ply .stl .obj.
 void writeSurface(vtkPolyData* surface, OutputFile& file, Messages& messages);
 
-/// Writes points with the arrays of a probe, and their cells: .vtp or .vtu.
-void writePoints(vtkPointSet* points, OutputFile& file, Messages& messages);
+/// Writes points with the arrays of a probe, and their cells: .vtp or .vtu; or the image or grid
+/// that they are the points of: .vti .vtr .vts.
+void writePoints(vtkDataSet* points, OutputFile& file, Messages& messages);

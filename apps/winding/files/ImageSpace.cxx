@@ -1,0 +1,65 @@
+#include "files/ImageSpace.h"
+
+#include "files/Text.h"
+
+#include "vtkImageData.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace
+{
+
+/// A space by its names, and whether its first two axes look the way of LPS.
+struct Space
+{
+  ImageSpace space;
+  const char* name;
+  const char* letters;
+  double x, y;
+};
+
+constexpr Space spaces[] = {{ImageSpace::lps, "left-posterior-superior", "lps", 1, 1},
+  {ImageSpace::ras, "right-anterior-superior", "ras", -1, -1},
+  {ImageSpace::las, "left-anterior-superior", "las", 1, -1}};
+
+const Space* find(ImageSpace space)
+{
+  const Space* const found = std::find_if(std::begin(spaces), std::end(spaces),
+    [space](const Space& candidate) { return candidate.space == space; });
+  return found == std::end(spaces) ? nullptr : found;
+}
+
+} // namespace
+
+std::string nameOf(ImageSpace space)
+{
+  const Space* const found = find(space);
+  return found ? found->name : "";
+}
+
+ImageSpace spaceOf(const std::string& name)
+{
+  const std::string small = inSmallLetters(name);
+  for (const Space& space : spaces)
+  {
+    if (small == space.name || small == space.letters)
+    {
+      return space.space;
+    }
+  }
+  return ImageSpace::unnamed;
+}
+
+std::array<double, 3> signsBetween(ImageSpace from, ImageSpace to)
+{
+  const Space* const a = find(from);
+  const Space* const b = find(to);
+  return a && b ? std::array<double, 3>{a->x * b->x, a->y * b->y, 1}
+                : std::array<double, 3>{1, 1, 1};
+}
+
+bool isMedical(const std::string& suffix)
+{
+  return suffix == ".mha" || suffix == ".nrrd" || suffix == ".nii" || suffix == ".nii.gz";
+}

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+
+class vtkImageData;
+
+/// The ways in which medical files lay axes into a patient: to the left or right, to the back
+/// (posterior) or front (anterior), and to the head (superior).
+enum class ImageSpace
+{
+  unnamed, ///< of files that do not say
+  lps,     ///< left, posterior, superior: DICOM, ITK
+  ras,     ///< right, anterior, superior: NIfTI
+  las      ///< left, anterior, superior
+};
+
+/// The name of a space as .nrrd files have it: "left-posterior-superior", say.
+std::string nameOf(ImageSpace space);
+
+/// The space of that name, or of the name's first letters; unnamed if there is none.
+ImageSpace spaceOf(const std::string& name);
+
+/// Returns for each axis of space whether it looks the same way in two spaces: 1, or −1 if it
+/// looks the other way. An unnamed space is any other.
+std::array<double, 3> signsBetween(ImageSpace from, ImageSpace to);
+
+/// The place of an image: extent, origin, spacing and directions, in the coordinates of its file.
+struct PlacedImage
+{
+  vtkSmartPointer<vtkImageData> image;
+  ImageSpace space = ImageSpace::unnamed;
+};
+
+/// Whether a suffix is a medical image's: .mha .nrrd .nii .nii.gz.
+bool isMedical(const std::string& suffix);

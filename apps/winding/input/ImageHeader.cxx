@@ -1,0 +1,345 @@
+#include "input/ImageHeader.h"
+
+#include "files/Formats.h"
+#include "files/Text.h"
+#include "input/NiftiHeader.h"
+#include "program/Failure.h"
+
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtk_zlib.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace
+{
+
+/// Headers as text may be long, for programs write notes of their own into them.
+constexpr std::size_t mostBytes = std::size_t(1) << 20;
+
+[[noreturn]] void refuse(const std::string& message)
+{
+  throw HeaderFault(message);
+}
+
+/// Takes blanks off both ends of a text.
+std::string_view trimmed(std::string_view text)
+{
+  const std::string_view blanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(blanks);
+  return first == std::string_view::npos
+           ? std::string_view()
+           : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+double numberOf(std::string_view word, const std::string& key)
+{
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
+  {
+    refuse("its header has no number in '" + key + "'");
+  }
+  return value;
+}
+
+/// Reads the `count` numbers of a field.
+std::vector<double> numbersOf(std::string_view text, const std::string& key, std::size_t count)
+{
+  std::vector<double> numbers;
+  for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text))
+  {
+    numbers.push_back(numberOf(word, key));
+  }
+  if (numbers.size() != count)
+  {
+    refuse("its header has " + std::to_string(numbers.size()) + " numbers in '" + key + "', not " +
+           std::to_string(count));
+  }
+  return numbers;
+}
+
+int sizeOf(double value, const std::string& key)
+{
+  if (!(value >= 1 && value <= VTK_INT_MAX && value == std::floor(value)))
+  {
+    refuse("its header has no number of voxels in '" + key + "'");
+  }
+  return static_cast<int>(value);
+}
+
+/// The fields of a header by their keys.
+using Fields = std::map<std::string, std::string>;
+
+/// Takes the fields off a header as text, up to the line that `isLast` is true of. A header that
+/// does not come to one has another kind of data, or is cut off.
+template <class IsLast>
+Fields fieldsOf(const std::string& head, std::size_t start, char between, const IsLast& isLast)
+{
+  Fields fields;
+  for (bool isDone = false; !isDone;)
+  {
+    if (start >= head.size())
+    {
+      refuse("its header has no end");
+    }
+    const std::string_view line = trimmed(takeLine(head, start));
+    const std::size_t at = line.find(between);
+    if (at != std::string_view::npos && line.front() != '#')
+    {
+      fields[std::string(trimmed(line.substr(0, at)))] = trimmed(line.substr(at + 1));
+    }
+    isDone = isLast(line);
+  }
+  return fields;
+}
+
+/// Returns the first of some fields that is there; null if none is.
+const std::string* findAny(const Fields& fields, const std::vector<const char*>& keys)
+{
+  for (const char* key : keys)
+  {
+    if (const auto found = fields.find(key); found != fields.end())
+    {
+      return &found->second;
+    }
+  }
+  return nullptr;
+}
+
+ImagePlace metaImage(const std::string& head)
+{
+  const Fields fields = fieldsOf(
+    head, 0, '=', [](std::string_view line) { return line.substr(0, 15) == "ElementDataFile"; });
+  const std::string* const dimensions = findAny(fields, {"NDims"});
+  const std::string* const sizes = findAny(fields, {"DimSize"});
+  if (!dimensions || !sizes || *dimensions != "3")
+  {
+    refuse("it is no image of three dimensions");
+  }
+  ImagePlace place;
+  place.space = ImageSpace::lps;
+  const std::vector<double> counts = numbersOf(*sizes, "DimSize", 3);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    place.dimensions[axis] = sizeOf(counts[axis], "DimSize");
+    place.steps[axis][axis] = 1;
+  }
+  if (const auto* text = findAny(fields, {"TransformMatrix", "Rotation", "Orientation"}))
+  {
+    // The directions of the axes follow each other.
+    const std::vector<double> numbers = numbersOf(*text, "TransformMatrix", 9);
+    for (std::size_t n = 0; n < 9; ++n)
+    {
+      place.steps[n / 3][n % 3] = numbers[n];
+    }
+  }
+  if (const auto* text = findAny(fields, {"ElementSpacing", "ElementSize"}))
+  {
+    const std::vector<double> numbers = numbersOf(*text, "ElementSpacing", 3);
+    for (std::size_t n = 0; n < 9; ++n)
+    {
+      place.steps[n / 3][n % 3] *= numbers[n / 3];
+    }
+  }
+  if (const auto* text = findAny(fields, {"Offset", "Position", "Origin"}))
+  {
+    const std::vector<double> numbers = numbersOf(*text, "Offset", 3);
+    std::copy_n(numbers.begin(), 3, place.origin.begin());
+  }
+  return place;
+}
+
+/// Reads a vector as "(1,0,0)"; nothing where there is "none".
+std::optional<std::array<double, 3>> vectorOf(std::string_view& text, const std::string& key)
+{
+  text = trimmed(text);
+  if (text.substr(0, 4) == "none")
+  {
+    text.remove_prefix(4);
+    return {};
+  }
+  const std::size_t end = text.find(')');
+  if (text.empty() || text.front() != '(' || end == std::string_view::npos)
+  {
+    refuse("its header has no vectors in '" + key + "'");
+  }
+  std::string words(text.substr(1, end - 1));
+  std::replace(words.begin(), words.end(), ',', ' ');
+  const std::vector<double> numbers = numbersOf(words, key, 3);
+  text.remove_prefix(end + 1);
+  return std::array<double, 3>{numbers[0], numbers[1], numbers[2]};
+}
+
+/// Reads the steps of axes of space and their sizes. Other axes, of channels or times, have none.
+void addAxes(const Fields& fields, const std::vector<double>& sizes, ImagePlace& place)
+{
+  std::size_t axis = 0;
+  const auto add = [&](const std::array<double, 3>& step, double size)
+  {
+    if (axis == 3)
+    {
+      refuse("it is no image of three dimensions");
+    }
+    place.steps[axis] = step;
+    place.dimensions[axis++] = sizeOf(size, "sizes");
+  };
+  if (const auto* text = findAny(fields, {"space directions"}))
+  {
+    std::string_view rest = *text;
+    for (const double size : sizes)
+    {
+      if (const auto step = vectorOf(rest, "space directions"))
+      {
+        add(*step, size);
+      }
+    }
+  }
+  else
+  {
+    const auto* spacings = findAny(fields, {"spacings"});
+    std::string_view rest = spacings ? std::string_view(*spacings) : std::string_view();
+    for (const double size : sizes)
+    {
+      const std::string_view word = takeWord(rest);
+      const bool isKnown = !word.empty() && inSmallLetters(word) != "nan";
+      std::array<double, 3> step = {};
+      step[std::min<std::size_t>(axis, 2)] = isKnown ? numberOf(word, "spacings") : 1;
+      add(step, size);
+    }
+  }
+  if (axis != 3)
+  {
+    refuse("it is no image of three dimensions");
+  }
+}
+
+ImagePlace nrrdImage(const std::string& head)
+{
+  if (head.rfind("NRRD000", 0) != 0)
+  {
+    refuse("it does not begin like NRRD");
+  }
+  std::size_t start = 0;
+  takeLine(head, start);
+  const Fields fields =
+    fieldsOf(head, start, ':', [](std::string_view line) { return line.empty(); });
+  const std::string* const dimension = findAny(fields, {"dimension"});
+  const std::string* const counts = findAny(fields, {"sizes"});
+  if (!dimension || !counts)
+  {
+    refuse("its header has no dimension or no sizes");
+  }
+  constexpr int mostAxes = 16; // of the format
+  const double axes = numberOf(*dimension, "dimension");
+  if (!(axes >= 1 && axes <= mostAxes))
+  {
+    refuse("it is no image of three dimensions");
+  }
+  ImagePlace place;
+  addAxes(fields, numbersOf(*counts, "sizes", static_cast<std::size_t>(axes)), place);
+  if (const auto* name = findAny(fields, {"space"}))
+  {
+    place.space = spaceOf(*name);
+  }
+  if (const auto* text = findAny(fields, {"space origin"}))
+  {
+    std::string_view rest = *text;
+    place.origin = vectorOf(rest, "space origin").value_or(place.origin);
+  }
+  return place;
+}
+
+/// Unpacks the first bytes of a file that was packed by gzip, `most` at most.
+std::string unpacked(const std::string& packed, std::size_t most)
+{
+  std::string result(most, '\0');
+  z_stream stream = {};
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+  stream.avail_in = static_cast<uInt>(packed.size());
+  stream.next_out = reinterpret_cast<Bytef*>(result.data());
+  stream.avail_out = static_cast<uInt>(result.size());
+  constexpr int gzipOnly = 16;
+  if (inflateInit2(&stream, gzipOnly + MAX_WBITS) != Z_OK)
+  {
+    throw std::bad_alloc();
+  }
+  inflate(&stream, Z_SYNC_FLUSH);
+  result.resize(result.size() - stream.avail_out);
+  inflateEnd(&stream);
+  return result;
+}
+
+/// Makes an image without arrays at a place.
+vtkSmartPointer<vtkImageData> imageAt(const ImagePlace& place)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  double samples = 1, spacings[3], directions[9];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::array<double, 3>& step = place.steps[static_cast<std::size_t>(axis)];
+    const double spacing = std::hypot(step[0], step[1], step[2]);
+    if (!(spacing > 0 && std::isfinite(spacing)))
+    {
+      refuse("its voxels have no size along an axis");
+    }
+    spacings[axis] = spacing;
+    for (int row = 0; row < 3; ++row)
+    {
+      directions[3 * row + axis] = step[static_cast<std::size_t>(row)] / spacing;
+    }
+    samples *= place.dimensions[static_cast<std::size_t>(axis)];
+  }
+  constexpr double most = 1e15;
+  if (samples > most)
+  {
+    refuse("its header counts more voxels than there can be");
+  }
+  image->SetDirectionMatrix(directions);
+  constexpr double leastVolume = 1e-6;
+  if (!(std::abs(image->GetDirectionMatrix()->Determinant()) > leastVolume))
+  {
+    refuse("its axes lie in a plane");
+  }
+  image->SetSpacing(spacings);
+  const auto& n = place.dimensions;
+  image->SetDimensions(n[0], n[1], n[2]);
+  image->SetOrigin(place.origin.data());
+  return image;
+}
+
+} // namespace
+
+PlacedImage placedImage(
+  const std::string& head, const std::string& suffix, const std::string& fileName)
+{
+  try
+  {
+    const ImagePlace place = suffix == ".mha"    ? metaImage(head)
+                             : suffix == ".nrrd" ? nrrdImage(head)
+                                                 : niftiImage(head);
+    return {imageAt(place), place.space};
+  }
+  catch (const HeaderFault& fault)
+  {
+    throw Failure(EXIT_REFUSED, fileName,
+      std::string("is not ") + (suffix.c_str() + 1) + ": " + fault.what() + "; give another file");
+  }
+}
+
+PlacedImage readImageHeader(const std::string& fileName)
+{
+  std::string head = beginningOf(fileName, mostBytes);
+  const std::string suffix = suffixOf(fileName);
+  if (head.rfind("\x1f\x8b", 0) == 0 && (suffix == ".nii" || suffix == ".nii.gz"))
+  {
+    head = unpacked(head, bytesOfNiftiHeader);
+  }
+  return placedImage(head, suffix, fileName);
+}

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "files/ImageSpace.h"
+
+#include <string>
+
+/**
+ * Reads where the voxels of a medical image lie, .mha .nrrd .nii .nii.gz, from its header; the
+ * voxels themselves are neither read nor looked for. Voxel centres are the points of the result,
+ * which has no arrays. Coordinates stay as they are in the file: its space is RAS in NIfTI, LPS in
+ * .mha, and named by .nrrd. Of NIfTI's two transforms the sform counts, if there is one, and
+ * the qform otherwise. Axes need not be at right angles.
+ *
+ * Throws Failure for files that cannot be opened, and in one line for headers that place no image
+ * of three dimensions.
+ */
+PlacedImage readImageHeader(const std::string& fileName);
+
+/// The same for the first bytes of a file, unpacked, of that suffix. Failures name `fileName`.
+PlacedImage placedImage(
+  const std::string& head, const std::string& suffix, const std::string& fileName);

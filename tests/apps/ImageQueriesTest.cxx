@@ -1,0 +1,215 @@
+/// Images and grids as queries. Of medical ones the header says where the voxels lie.
+
+#include "apps/Images.h"
+#include "apps/Inputs.h"
+#include "apps/RunProgram.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
+#include "vtkXMLImageDataReader.h"
+#include "vtkXMLRectilinearGridReader.h"
+#include "vtkXMLStructuredGridReader.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+/// Reads what the program has written. The reader keeps it.
+vtkImageData* readImage(vtkXMLImageDataReader* reader, const std::string& fileName)
+{
+  reader->SetFileName(fileName.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+/// Probes the unit sphere at an image, and expects this place for the result: a centre of a voxel
+/// and the steps along the indices. Its values have to be the sphere's.
+void expectPlace(const std::string& name, const std::string& contents, double tolerance = 1e-12)
+{
+  SCOPED_TRACE(name);
+  const TemporaryFolder folder;
+  const std::string out = folder.path("out.vti");
+  const Outcome run = runProgram({"probe", folder.write("in.off", asOff(sphere())),
+    folder.write(name, contents), "-o", out, "--array", "w"});
+  ASSERT_EQ(run.status, 0) << run;
+  vtkNew<vtkXMLImageDataReader> reader;
+  vtkImageData* const image = readImage(reader, out);
+  ASSERT_EQ(image->GetNumberOfPoints(), 7 * 8 * 9);
+  for (const std::array<int, 3> index :
+    {std::array<int, 3>{0, 0, 0}, {6, 0, 0}, {0, 7, 0}, {3, 4, 8}})
+  {
+    const std::array<double, 3> expected = voxelOfHead(index);
+    double found[3];
+    image->TransformIndexToPhysicalPoint(index.data(), found);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_NEAR(found[axis], expected[static_cast<std::size_t>(axis)], tolerance);
+    }
+  }
+  vtkDataArray* const w = image->GetPointData()->GetArray("w");
+  int inside = 0;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double* const at = image->GetPoint(i);
+    const double radius = std::hypot(at[0], at[1], at[2]);
+    if (std::abs(radius - 0.98) > 0.021) // between the faces and the sphere
+    {
+      ASSERT_EQ(w->GetTuple1(i), radius < 1) << i;
+    }
+    inside += w->GetTuple1(i) > 0.5;
+  }
+  EXPECT_GT(inside, 20);
+}
+
+TEST(ImageQueries, LieWhereMedicalHeadersSay)
+{
+  expectPlace("head.mha", asMetaImage());
+  expectPlace("head.MHA", asMetaImage());
+  expectPlace("head.nrrd", asNrrd("left-posterior-superior"));
+  expectPlace("head.nrrd", asNrrd("RAS"));
+  expectPlace("head.nrrd", asNrrd("", "3 7 8 9", "none "));
+  // Single precision.
+  expectPlace("head.nii", asNifti(NiftiKind::sform), 1e-6);
+  expectPlace("head.nii", asNifti(NiftiKind::qform), 1e-6);
+  expectPlace("head.nii", asNifti(NiftiKind::bigEndian), 1e-6);
+  expectPlace("head.nii", asNifti(NiftiKind::wide));
+  expectPlace("head.nii.gz", packedByGzip(asNifti(NiftiKind::sform)), 1e-6);
+  expectPlace("head.nii", packedByGzip(asNifti(NiftiKind::sform)), 1e-6);
+}
+
+TEST(ImageQueries, WithoutDirectionsAreStraight)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1))), out = folder.path("out.vti");
+  const std::string meta = "ObjectType = Image\nNDims = 3\nDimSize = 3 4 5\n"
+                           "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
+  const std::string nrrd = "NRRD0004\n# no directions\ntype: uchar\ndimension: 3\nsizes: 3 4 5\n"
+                           "spacings: 1 NaN 1\nkey:=value: of a user\nencoding: raw\n\n";
+  for (const std::string& image : {folder.write("a.mha", meta), folder.write("a.nrrd", nrrd)})
+  {
+    const Outcome run = runProgram({"probe", in, image, "-o", out});
+    ASSERT_EQ(run.status, 0) << run;
+    vtkNew<vtkXMLImageDataReader> reader;
+    const double expected[6] = {0, 2, 0, 3, 0, 4};
+    double bounds[6];
+    readImage(reader, out)->GetBounds(bounds);
+    EXPECT_TRUE(std::equal(bounds, bounds + 6, expected)) << image;
+  }
+}
+
+TEST(ImageQueries, OfVtkKeepTheirArrays)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere()));
+  const std::string field = folder.path("field.vti"), out = folder.path("out.vti");
+  ASSERT_EQ(
+    runProgram({"field", in, "-o", field, "--resolution", "9", "--array", "before"}).status, 0);
+  const Outcome run = runProgram({"probe", in, field, "-o", out, "--distance"});
+  ASSERT_EQ(run.status, 0) << run;
+  vtkNew<vtkXMLImageDataReader> reader, expected;
+  vtkImageData* const image = readImage(reader, out);
+  vtkDataArray* const before = readImage(expected, field)->GetPointData()->GetArray("before");
+  for (const char* name : {"before", "WindingNumber", "SignedDistance", "Inside"})
+  {
+    ASSERT_NE(image->GetPointData()->GetArray(name), nullptr) << name;
+  }
+  for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
+  {
+    ASSERT_EQ(image->GetPointData()->GetArray("before")->GetTuple1(i), before->GetTuple1(i));
+    ASSERT_EQ(image->GetPointData()->GetArray("WindingNumber")->GetTuple1(i), before->GetTuple1(i));
+  }
+  const std::string part = folder.path("part.vtu"), table = folder.path("table.csv");
+  EXPECT_EQ(runProgram({"probe", in, field, "-o", part, "--extract"}).status, 0);
+  EXPECT_EQ(runProgram({"probe", in, field, "-o", table}).status, 0);
+  EXPECT_TRUE(runProgram({"probe", in, in, "-o", out})
+                .saysInOneLine({"out.vti", "cannot hold the cells of the queries"}));
+}
+
+TEST(ImageQueries, MayBeGridsOfOtherKinds)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere()));
+  const std::string curved = folder.write("in.vts", asCurvedGrid());
+  const std::string straight = folder.write("in.vtr", asRectilinearGrid());
+  const std::string vts = folder.path("out.vts"), vtr = folder.path("out.vtr");
+  ASSERT_EQ(runProgram({"probe", in, curved, "-o", vts}).status, 0);
+  ASSERT_EQ(runProgram({"probe", in, straight, "-o", vtr}).status, 0);
+  vtkNew<vtkXMLStructuredGridReader> curvedReader;
+  curvedReader->SetFileName(vts.c_str());
+  curvedReader->Update();
+  vtkNew<vtkXMLRectilinearGridReader> straightReader;
+  straightReader->SetFileName(vtr.c_str());
+  straightReader->Update();
+  const double expected[8] = {1, 0, 0, 0, 0, 0, 0, 0}; // the first point alone is inside
+  for (vtkDataSet* data : {static_cast<vtkDataSet*>(curvedReader->GetOutput()),
+         static_cast<vtkDataSet*>(straightReader->GetOutput())})
+  {
+    ASSERT_EQ(data->GetNumberOfPoints(), 8);
+    for (vtkIdType i = 0; i < 8; ++i)
+    {
+      EXPECT_NEAR(
+        data->GetPointData()->GetArray("WindingNumber")->GetTuple1(i), expected[i], 1e-12);
+    }
+  }
+}
+
+TEST(ImageQueries, AreNoSources)
+{
+  const TemporaryFolder folder;
+  const std::string image = folder.write("in.mha", asMetaImage());
+  const Outcome run = runProgram({"field", image, "-o", folder.path("out.vti")});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_TRUE(run.saysInOneLine({"in.mha", "is an image or a grid", "contour it first"})) << run;
+}
+
+TEST(ImageQueries, DamagedHeadersAreRefusedInOneLine)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1))), out = folder.path("out.vti");
+  const auto refuses =
+    [&](const std::string& name, const std::string& contents, const std::string& words)
+  {
+    const Outcome run = runProgram({"probe", in, folder.write(name, contents), "-o", out});
+    EXPECT_EQ(run.status, 2) << run;
+    EXPECT_TRUE(run.saysInOneLine({name, words})) << words << "\n" << run;
+  };
+  const auto with = [](std::string text, const std::string& before, const std::string& after)
+  {
+    return text.replace(text.find(before), before.size(), after);
+  };
+  const std::string meta = asMetaImage(), nrrd = asNrrd("LPS"), nifti = asNifti(NiftiKind::sform);
+  refuses("a.mha", with(meta, "NDims = 3", "NDims = 2"), "no image of three dimensions");
+  refuses("a.mha", with(meta, "DimSize = 7", "DimSize = 0"), "no number of voxels");
+  refuses("a.mha", with(meta, "DimSize = 7", "DimSize = 1e99"), "no number of voxels");
+  refuses("a.mha", with(meta, "DimSize = 7", "DimSize ="), "has 2 numbers in 'DimSize', not 3");
+  refuses("a.mha", with(meta, "0.25", "x"), "no number in 'ElementSpacing'");
+  refuses("a.mha", with(meta, "0.25", "0"), "no size along an axis");
+  refuses("a.mha", with(meta, "0.25", "nan"), "no number");
+  refuses("a.mha", with(meta, "TransformMatrix = ", "TransformMatrix = 1 0 0 1 0 0 0 0 1\nx = "),
+    "lie in a plane");
+  refuses("a.mha", meta.substr(0, 60), "no end");
+  refuses("a.nrrd", nrrd.substr(4), "does not begin like NRRD");
+  refuses("a.nrrd", with(nrrd, "(", "["), "no vectors");
+  refuses("a.nrrd", with(nrrd, "(", "none ("), "no image of three dimensions");
+  refuses("a.nrrd", with(nrrd, "dimension: 3", "dimension: 4"), "not 4");
+  refuses("a.nrrd", with(nrrd, "sizes", "size"), "no sizes");
+  refuses("a.nrrd", nrrd.substr(0, nrrd.find("kinds")), "no end");
+  refuses("a.nii", nifti.substr(0, 347), "does not begin like NIfTI");
+  refuses("a.nii", with(nifti, "n+1", "xxx"), "Analyze");
+  refuses("a.nii.gz", packedByGzip(nifti).substr(0, 30), "does not begin like NIfTI");
+  refuses("a.nii", "x" + nifti, "does not begin like NIfTI");
+  std::string infinite = nifti;
+  infinite.replace(280, 4, "\x00\x00\x80\x7f", 4);
+  refuses("a.nii", infinite, "not finite");
+  refuses("a.vti", "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\">", "a.vti");
+}
+
+} // namespace

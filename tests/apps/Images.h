@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+/// The centre of a voxel of the images below: 7, 8 and 9 voxels around the origin along axes that
+/// no axis of space is, of which one is mirrored.
+std::array<double, 3> voxelOfHead(const std::array<int, 3>& index);
+
+/// Makes a file of that image as ITK writes it, .mha. There are no voxels in the file.
+std::string asMetaImage();
+
+/// Makes the same as .nrrd. More axes may come before those of space, with their sizes.
+std::string asNrrd(const std::string& space, const std::string& sizes = "7 8 9",
+  const std::string& firstDirections = "");
+
+/// The ways in which NIfTI files say where voxels lie.
+enum class NiftiKind
+{
+  sform,
+  qform,
+  bigEndian, ///< the sform in the other order of bytes
+  wide       ///< NIfTI-2
+};
+
+/// Makes the same as .nii.
+std::string asNifti(NiftiKind kind);
+
+std::string packedByGzip(const std::string& contents);
+
+///@{
+/// Makes grids of eight points, of which the first is the origin and all others are 2 and more
+/// away: .vts and .vtr.
+std::string asCurvedGrid();
+std::string asRectilinearGrid();
+///@}
