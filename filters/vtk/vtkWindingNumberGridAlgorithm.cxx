@@ -272,6 +272,12 @@ void vtkWindingNumberGridAlgorithm::MoveGrid(vtkDataObject* source)
   *this->Sampling = winding::layOutGrid(request);
 }
 
+void vtkWindingNumberGridAlgorithm::LayGrid(const winding::Grid& grid)
+{
+  *this->LaidOut = grid;
+  *this->Sampling = grid;
+}
+
 const winding::Field& vtkWindingNumberGridAlgorithm::PrepareGridField(vtkDataObject* source)
 {
   const auto makers =

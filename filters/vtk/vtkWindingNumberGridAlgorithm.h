@@ -130,7 +130,7 @@ public:
   ///@}
 
   /// The grid that was laid last: voxels per axis, the first sample, and the spacing of the
-  /// samples. 0 voxels before the first.
+  /// samples. 0 voxels before the first. On a turned image, coordinates are along its axes.
   void GetGrid(int dimensions[3], double firstSample[3], double spacing[3]) const;
 
 protected:
@@ -166,6 +166,9 @@ protected:
   /// set. An empty source leaves the grid where it was.
   void MoveGrid(vtkDataObject* source);
   const winding::Grid& GetSampling() const { return *this->Sampling; }
+
+  /// Lays a grid that is given, which a source does not move.
+  void LayGrid(const winding::Grid& grid);
 
   /// PrepareField() for that grid; each rank evaluates about its share, unless the first
   /// does all.

@@ -3,13 +3,14 @@
 #include "base/Refusal.h"
 #include "messages/PropertyChecks.h"
 #include "private/source/ContentHash.h"
-#include "source/Grid.h"
+#include "private/source/ImageGrid.h"
 #include "voxels/VoxelEvaluation.h"
 
 #include "vtkCellData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -25,9 +26,35 @@ static_assert(static_cast<int>(winding::Coverage::any) == vtkWindingNumberImageA
 static_assert(
   static_cast<int>(winding::Coverage::fraction) == vtkWindingNumberImageAlgorithm::FRACTION);
 
+vtkWindingNumberImageAlgorithm::vtkWindingNumberImageAlgorithm()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+void vtkWindingNumberImageAlgorithm::SetLikeConnection(vtkAlgorithmOutput* image)
+{
+  this->SetInputConnection(1, image);
+}
+
+void vtkWindingNumberImageAlgorithm::SetLikeData(vtkImageData* image)
+{
+  this->SetInputDataObject(1, image);
+}
+
 vtkImageData* vtkWindingNumberImageAlgorithm::GetOutput()
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+int vtkWindingNumberImageAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
 }
 
 int vtkWindingNumberImageAlgorithm::FillOutputPortInformation(int, vtkInformation* info)
@@ -36,35 +63,113 @@ int vtkWindingNumberImageAlgorithm::FillOutputPortInformation(int, vtkInformatio
   return 1;
 }
 
+int vtkWindingNumberImageAlgorithm::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (vtkInformation* like = inputs[1]->GetInformationObject(0))
+  {
+    // One voxel, for nothing but the place of the image is of use.
+    const int* whole = like->Get(Pipeline::WHOLE_EXTENT());
+    if (whole && whole[0] <= whole[1] && whole[2] <= whole[3] && whole[4] <= whole[5])
+    {
+      const int first[6] = {whole[0], whole[0], whole[2], whole[2], whole[4], whole[4]};
+      like->Set(Pipeline::UPDATE_EXTENT(), first, 6);
+    }
+  }
+  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+}
+
+/// Takes over the place that the pipeline announces for the image on port 1, if there is any.
+void vtkWindingNumberImageAlgorithm::LookAtLike(vtkInformationVector* like)
+{
+  this->Like = nullptr;
+  *this->Frame = winding::ImageFrame();
+  vtkInformation* info = like->GetInformationObject(0);
+  if (!info)
+  {
+    return;
+  }
+  this->Like = vtkSmartPointer<vtkImageData>::New();
+  if (info->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    this->Like->SetExtent(info->Get(Pipeline::WHOLE_EXTENT()));
+  }
+  this->Like->CopyInformationFromPipeline(info);
+}
+
+/// Throws a refusal for an image that lies elsewhere than its pipeline has announced.
+void vtkWindingNumberImageAlgorithm::CheckLike(vtkImageData* image) const
+{
+  const auto areSame = [](const double* a, const double* b, int count)
+  {
+    return std::equal(a, a + count, b);
+  };
+  if (image && image->GetNumberOfPoints() > 0 &&
+      !(areSame(image->GetOrigin(), this->Like->GetOrigin(), 3) &&
+        areSame(image->GetSpacing(), this->Like->GetSpacing(), 3) &&
+        areSame(
+          image->GetDirectionMatrix()->GetData(), this->Like->GetDirectionMatrix()->GetData(), 9)))
+  {
+    throw winding::Refusal(winding::Message("the image lies elsewhere than announced",
+      {{"give it as data", {winding::Parameter::like}}},
+      "the filter or reader before it does not announce its origin, spacing or "
+      "direction"));
+  }
+}
+
+void vtkWindingNumberImageAlgorithm::LayOnLike()
+{
+  const winding::ImageGrid image =
+    winding::requiredGridOf(this->Like, this->OutputAssociation == CELLS);
+  *this->Frame = image.frame;
+  this->LayGrid(image.grid);
+}
+
+/// Lays the grid over a source, as the properties say, which is brought up to date for its bounds.
+void vtkWindingNumberImageAlgorithm::LayOver(vtkInformation* outInfo)
+{
+  this->FindBoundsOverAllTimes(outInfo);
+  if (this->UseInputBounds)
+  {
+    // The grid depends on the source's bounds, and is known before anybody asks for a part of it.
+    this->UpdateSource(outInfo);
+    this->LookAtSource(this->GetSource());
+  }
+  this->CheckSource(this->GetSource());
+  this->LayOutGrid(this->GetSource());
+}
+
 int vtkWindingNumberImageAlgorithm::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   // The pipeline hands on the grid of an image that the source was made of, such as a contour's.
   // It would stay where this filter has no grid.
   outInfo->Remove(vtkDataObject::ORIGIN());
   outInfo->Remove(vtkDataObject::SPACING());
+  outInfo->Remove(vtkDataObject::DIRECTION());
   const int nothing[6] = {0, -1, 0, -1, 0, -1};
   outInfo->Set(Pipeline::WHOLE_EXTENT(), nothing, 6);
-  vtkDataObject* source = this->GetSource();
-  this->LookAtSource(source);
+  this->LookAtSource(this->GetSource());
+  this->LookAtLike(inputs[1]);
   this->AgreeOnProperties();
-  this->FindBoundsOverAllTimes(outInfo);
-  if (this->UseInputBounds)
-  {
-    // The grid depends on the source's bounds, and is known before anybody asks for a part of it.
-    this->UpdateSource(outInfo);
-    source = this->GetSource();
-    this->LookAtSource(source);
-  }
-  this->CheckSource(source);
-  this->LayOutGrid(source);
-
   const bool asCells = this->OutputAssociation == CELLS;
-  // An image of n cells has n + 1 points.
-  const Eigen::Vector3i last =
-    this->GetSampling().dimensions - Eigen::Vector3i::Constant(asCells ? 0 : 1);
-  const int extent[6] = {0, last[0], 0, last[1], 0, last[2]};
+  int extent[6];
+  if (this->Like)
+  {
+    this->LayOnLike();
+    this->Like->GetExtent(extent);
+  }
+  else
+  {
+    this->LayOver(outInfo);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      // An image of n cells has n + 1 points.
+      extent[2 * axis] = 0;
+      extent[2 * axis + 1] = this->GetSampling().dimensions[axis] - (asCells ? 0 : 1);
+    }
+  }
   outInfo->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
   this->TellGrid(outInfo);
   outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
@@ -77,11 +182,20 @@ int vtkWindingNumberImageAlgorithm::RequestInformation(
 
 void vtkWindingNumberImageAlgorithm::TellGrid(vtkInformation* outInfo) const
 {
+  if (this->Like)
+  {
+    outInfo->Set(vtkDataObject::ORIGIN(), this->Like->GetOrigin(), 3);
+    outInfo->Set(vtkDataObject::SPACING(), this->Like->GetSpacing(), 3);
+    outInfo->Set(vtkDataObject::DIRECTION(), this->Like->GetDirectionMatrix()->GetData(), 9);
+    return;
+  }
   const winding::Grid& grid = this->GetSampling();
   const Eigen::Vector3d origin =
     this->OutputAssociation == CELLS ? grid.corner() : grid.firstSample;
   outInfo->Set(vtkDataObject::ORIGIN(), origin.data(), 3);
   outInfo->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
+  const vtkNew<vtkMatrix3x3> straight;
+  outInfo->Set(vtkDataObject::DIRECTION(), straight->GetData(), 9);
 }
 
 void vtkWindingNumberImageAlgorithm::CheckProperties()
@@ -98,10 +212,26 @@ void vtkWindingNumberImageAlgorithm::HashProperties(winding::ContentHash& hash)
   hash.addValue(this->OutputAssociation);
   hash.addValue(this->Coverage);
   hash.addValue(this->CoverageSamples);
+  hash.addValue(this->Like != nullptr);
+  if (this->Like)
+  {
+    int extent[6];
+    this->Like->GetExtent(extent);
+    hash.addValue(extent);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      hash.addValue(this->Like->GetOrigin()[axis]);
+      hash.addValue(this->Like->GetSpacing()[axis]);
+    }
+    for (int n = 0; n < 9; ++n)
+    {
+      hash.addValue(this->Like->GetDirectionMatrix()->GetData()[n]);
+    }
+  }
 }
 
 int vtkWindingNumberImageAlgorithm::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(outInfo);
@@ -114,22 +244,33 @@ int vtkWindingNumberImageAlgorithm::RequestData(
   }
   int extent[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), extent);
-  // The source may belong to another time than the one at which the grid was laid.
   vtkDataObject* source = this->GetSource();
-  this->MoveGrid(source);
+  if (this->Like)
+  {
+    this->CheckLike(vtkImageData::GetData(inputs[1]));
+    this->CheckSource(source);
+    this->LayOnLike();
+  }
+  else
+  {
+    // The source may belong to another time than the one at which the grid was laid.
+    this->MoveGrid(source);
+  }
   this->TellGrid(outInfo);
 
   const bool asCells = this->OutputAssociation == CELLS;
   winding::Extent samples;
-  std::copy_n(extent, 6, samples.begin());
-  for (int axis = 0; asCells && axis < 3; ++axis)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    --samples[2 * axis + 1];
+    // Samples have numbers from 0 on. A flat image has a layer of cells, too.
+    const int first = this->Like ? this->Like->GetExtent()[2 * axis] : 0;
+    const bool isFlat = this->Like && this->Like->GetDimensions()[axis] == 1;
+    samples[2 * axis] = extent[2 * axis] - first;
+    samples[2 * axis + 1] = extent[2 * axis + 1] - first - (asCells && !isFlat ? 1 : 0);
   }
 
   output->SetExtent(extent);
-  output->SetOrigin(outInfo->Get(vtkDataObject::ORIGIN()));
-  output->SetSpacing(outInfo->Get(vtkDataObject::SPACING()));
+  output->CopyInformationFromPipeline(outInfo);
   vtkDataSetAttributes* attributes = output->GetPointData();
   if (asCells)
   {

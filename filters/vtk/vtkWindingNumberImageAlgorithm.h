@@ -10,6 +10,12 @@
  * whole has. The whole source is read for each. The grid is laid when the pipeline's information is
  * asked for, over the source as it is then. At other time steps the grid keeps its dimensions, so
  * that pieces fit together, and its origin and spacing follow the source.
+ * **Like.** With an image on port 1 the result has the extent, origin, spacing and direction matrix
+ * of this image. Properties of the grid count for nothing then. The filter uses the pipeline's
+ * information on the image, and needs no data of it. Images that are turned or mirrored take no
+ * longer than straight ones: they are grids along their own axes, which have to be at right angles
+ * up to 1e-5.
+ *
  * Progress follows the evaluation. Abort is obeyed within a fraction of a second, also while the
  * filter prepares; the output is then empty.
  *
@@ -32,6 +38,13 @@ class VTKFILTERSWINDING_EXPORT vtkWindingNumberImageAlgorithm : public vtkWindin
 public:
   vtkTypeMacro(vtkWindingNumberImageAlgorithm, vtkWindingNumberGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The image that the result is to lie on: port 1, optional. With CELLS, samples are the centres
+  /// of its cells.
+  void SetLikeConnection(vtkAlgorithmOutput* image);
+  void SetLikeData(vtkImageData* image);
+  ///@}
 
   /// The place of the samples in the image.
   enum OutputAssociationType
@@ -89,13 +102,16 @@ public:
   vtkImageData* GetOutput();
 
 protected:
-  vtkWindingNumberImageAlgorithm() = default;
+  vtkWindingNumberImageAlgorithm();
   ~vtkWindingNumberImageAlgorithm() override = default;
 
   vtkWindingNumberImageAlgorithm(const vtkWindingNumberImageAlgorithm&) = delete;
   void operator=(const vtkWindingNumberImageAlgorithm&) = delete;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   int RequestInformation(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
@@ -127,7 +143,13 @@ protected:
   int CoverageSamples = 4;
 
 private:
+  void LayOver(vtkInformation* outInfo);
+  void LookAtLike(vtkInformationVector* like);
+  void CheckLike(vtkImageData* image) const;
+  void LayOnLike();
   void TellGrid(vtkInformation* outInfo) const;
+
+  vtkSmartPointer<vtkImageData> Like; ///< place of the image to lie on, without arrays; may be null
 };
 
 #endif

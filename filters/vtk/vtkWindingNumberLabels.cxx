@@ -69,7 +69,10 @@ vtkWindingNumberLabels::~vtkWindingNumberLabels()
 
 int vtkWindingNumberLabels::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
   return this->Superclass::FillInputPortInformation(port, info);
 }
 

@@ -59,6 +59,25 @@ class Frame:
             x, y, z = np.asarray(vectors, float).T
             return np.stack([row[0] * x + row[1] * y + row[2] * z for row in self.inverse_axes], 1)
 
+    def toward(self, text):
+        """The text of viewpoints (the option toward) in these coordinates."""
+        words = {"up": "+z", "down": "-z"}
+        word = text.strip()
+        word = words.get(word, word)
+        if len(word) == 2 and word[0] in "+-" and word[1] in "xyz":
+            unit = [0, 0, 0]
+            unit["xyz".index(word[1])] = 1 if word[0] == "+" else -1
+            word = "direction " + " ".join(map(str, unit))
+        is_direction, found = word.startswith("direction "), []
+        for one in word.removeprefix("direction ").split(";"):
+            try:
+                vector = np.array([[float(number) for number in one.replace(",", " ").split()]])
+                moved = self.directions(vector) if is_direction else self.positions(vector)
+            except ValueError:
+                return text  # the library refuses it
+            found.append(" ".join(repr(float(number)) for number in moved[0]))
+        return ("direction " if is_direction else "") + "; ".join(found) if word else text
+
     def __eq__(self, other):
         return isinstance(other, Frame) and (
             np.array_equal(self.inverse_axes, other.inverse_axes)

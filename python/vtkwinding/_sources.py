@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import _datasets, _library, _parts
+from . import _datasets, _library, _options, _parts
 from ._checks import check_grid
 from ._errors import WindingError
 from ._outward import inward_polygons
@@ -381,7 +381,8 @@ class SourceField(Field):
 
     def framed(self, frame):
         """The field of the source in the coordinates of an image (a Frame of _parts)."""
-        return SourceField(framed(self.source, frame), **self.options)
+        toward = frame.toward(_options.viewpoints(self.options["toward"]).decode())
+        return SourceField(framed(self.source, frame), **{**self.options, "toward": toward})
 
     def cut_distances(self, places, kept, are_cut, sides, show=None):
         """Numbers by which clipped_part() of _parts finds where the inside ends, for all points of

@@ -167,8 +167,8 @@ LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples", "NumberOfS
 
 INPUTS = {
     "SurfaceReport": {"Input"},
-    "WindingNumberField": {"Input"},
-    "WindingNumberLabels": {"Input", "InputNames"},
+    "WindingNumberField": {"Input", "Like"},
+    "WindingNumberLabels": {"Input", "InputNames", "Like"},
     "WindingNumberSurface": {"Input"},
     "WindingNumberHyperTree": {"Input"},
     "WindingNumberProbe": {"Input", "Source"},
@@ -377,7 +377,7 @@ class TestProxies(unittest.TestCase):
                 with self.subTest(f"{name}.{port}"):
                     smproperty = new_proxy("filters", name).GetProperty(port)
                     self.assertIsNotNone(smproperty.FindDomain("vtkSMDataTypeDomain"))
-                    if "NormalsArray" in SETTABLE[name] and "Source" not in inputs:
+                    if "NormalsArray" in SETTABLE[name] and "Source" not in inputs and port != "Like":
                         self.assertIsNotNone(smproperty.GetDomain("point_vectors"))
 
     def test_all_is_documented_in_sentences(self):

@@ -55,7 +55,9 @@ def facts_of(data):
     found = {"class": data.GetClassName(), "field": arrays_of(data.GetFieldData()),
              "points": arrays_of(data.GetPointData()), "cells": arrays_of(data.GetCellData())}
     if data.IsA("vtkImageData"):
-        found["grid"] = [data.GetExtent(), data.GetOrigin(), data.GetSpacing()]
+        directions = data.GetDirectionMatrix()
+        found["grid"] = [data.GetExtent(), data.GetOrigin(), data.GetSpacing(),
+                         [directions.GetElement(n // 3, n % 3) for n in range(9)]]
         return found
     points = data.GetPoints()
     found["places"] = digest(points.GetData()) if points else None
@@ -143,6 +145,8 @@ def of_source(name, mesh, is_cloud):
         Input=image, Source=mesh, ProbeAssociation="Cell Centers", ExtractInside=1, InsideOut=1))
     note(f"{name} probe of a turned image", simple.WindingNumberProbe(
         Input=turned_image(4), Source=mesh, GenerateInside=1, GenerateSignedDistance=1))
+    note(f"{name} field on a turned image", simple.WindingNumberField(
+        Input=mesh, Like=turned_image(4), GenerateSignedDistance=1, Coverage="Half Inside"))
     note(f"{name} report", simple.SurfaceReport(Input=mesh))
     if not is_cloud:
         note(f"{name} turned", simple.SurfaceReport(Input=mesh, FixOrientation=1, FaultThickness=0))
@@ -181,6 +185,8 @@ def of_solids(name, source, **properties):
         Input=source, Resolution=16, Coverage="Half Inside", CoverageArrays="Each Label",
         OutputAssociation="Cells", **properties))
     note(f"{name} voxels", simple.WindingNumberVoxels(Input=shares))
+    note(f"{name} on a turned image", simple.WindingNumberLabels(
+        Input=source, Like=turned_image(4), OutputAssociation="Cells", **properties))
 
 
 def run(folder):
@@ -227,6 +233,10 @@ def run(folder):
         Input=balls[0], GenerateInside=1, ResultArrayName="Inside"))
     note("parity is not verified", simple.WindingNumberField(
         Input=balls[0], Method="Ray Parity", VerifySamples=5))
+    askew = turned_image(2)
+    askew.GetClientSideObject().GetOutputDataObject(0).SetDirectionMatrix(
+        1, 0.1, 0, 0, 1, 0, 0, 0, 1)
+    note("askew", simple.WindingNumberField(Input=balls[0], Like=askew))
     note("no source", simple.WindingNumberProbe(Input=balls[0]))
     note("an image as a source", simple.WindingNumberField(Input=box))
 

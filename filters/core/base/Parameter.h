@@ -95,6 +95,8 @@ enum class Parameter
 
   // inputs, other filters and other ways of working
   source,
+  like,
+  probe,
   voxelArray,
   pieces,
   surfaceReport,

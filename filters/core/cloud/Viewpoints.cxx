@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <iterator>
 #include <locale>
 #include <sstream>
@@ -100,6 +101,27 @@ Viewpoints::Viewpoints(const std::string& text)
     }
     positions_.emplace_back(numbers[0], numbers[1], numbers[2]);
   }
+}
+
+std::string Viewpoints::textAlong(
+  const Eigen::Matrix3d& inverseAxes, const Eigen::Vector3d& origin) const
+{
+  const auto textOf = [](const Eigen::Vector3d& vector)
+  {
+    char text[100];
+    std::snprintf(text, sizeof text, "%.17g %.17g %.17g", vector[0], vector[1], vector[2]);
+    return std::string(text);
+  };
+  if (!direction_.isZero())
+  {
+    return "direction " + textOf(inverseAxes * direction_);
+  }
+  std::string text;
+  for (const Eigen::Vector3d& position : positions_)
+  {
+    text += (text.empty() ? "" : "; ") + textOf(inverseAxes * (position - origin));
+  }
+  return text;
 }
 
 std::vector<Eigen::Vector3d> Viewpoints::directionsFrom(

@@ -28,6 +28,10 @@ public:
 
   bool empty() const { return positions_.empty() && direction_.isZero(); }
 
+  /// Returns the text of the same viewpoints in coordinates that begin at `origin`, along axes with
+  /// this inverse.
+  std::string textAlong(const Eigen::Matrix3d& inverseAxes, const Eigen::Vector3d& origin) const;
+
   /// Returns the unit vectors from places to their viewpoints; 0 at a viewpoint itself.
   std::vector<Eigen::Vector3d> directionsFrom(
     const DistinctPoints& places, Executor& executor) const;

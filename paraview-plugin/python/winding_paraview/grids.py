@@ -10,6 +10,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 
 from vtkwinding import _library
 from vtkwinding._errors import WindingError
+from vtkwinding._parts import directions_of, grid_of_image, has_right_angles
 
 from .algorithm import DONE, RUN, declared, new_array
 from .ranks import Ranks
@@ -25,6 +26,12 @@ def sample_count(extent):
     return int(np.prod([max(0, extent[2 * axis + 1] - extent[2 * axis] + 1) for axis in range(3)]))
 
 
+def _place_of(image):
+    """The origin, the spacing and the directions of an image."""
+    return (list(image.GetOrigin()), list(image.GetSpacing()),
+            directions_of(image).ravel().tolist())
+
+
 def whole_extent(grid):
     return [end for count in grid.dimensions for end in (0, count - 1)]
 
@@ -32,8 +39,8 @@ def whole_extent(grid):
 class GridAlgorithm(SourceAlgorithm):
     """A filter that lays a grid over its source."""
 
-    def __init__(self, output_type):
-        super().__init__(nInputPorts=1, nOutputPorts=1, outputType=output_type)
+    def __init__(self, output_type, ports=1):
+        super().__init__(nInputPorts=ports, nOutputPorts=1, outputType=output_type)
         self.grid = None
         self.request = None
         self.verification = None
@@ -207,8 +214,9 @@ class ImageAlgorithm(GridAlgorithm):
     """A filter whose output is an image, of any extent that is asked for."""
 
     def __init__(self):
-        super().__init__("vtkImageData")
+        super().__init__("vtkImageData", ports=2)
         self.information_status = DONE
+        self.like = None  # the place of the image to lie on, without arrays
 
     def active_scalar_type(self):
         raise NotImplementedError
@@ -217,26 +225,84 @@ class ImageAlgorithm(GridAlgorithm):
         """Fills an image with the samples of an extent."""
         raise NotImplementedError
 
+    def FillInputPortInformation(self, port, info):
+        if port == 0:
+            return super().FillInputPortInformation(port, info)
+        info.Set(self.INPUT_REQUIRED_DATA_TYPE(), "vtkImageData")
+        info.Set(self.INPUT_IS_OPTIONAL(), 1)
+        return 1
+
+    def RequestUpdateExtent(self, request, inputs, outputs):
+        like = inputs[1].GetInformationObject(0)
+        if like is not None and like.Has(Pipeline.WHOLE_EXTENT()):
+            # One voxel, for nothing but the place of the image is of use.
+            whole = like.Get(Pipeline.WHOLE_EXTENT())
+            if all(first <= last for first, last in zip(whole[::2], whole[1::2])):
+                like.Set(Pipeline.UPDATE_EXTENT(),
+                         [end for one in whole[::2] for end in (one, one)], 6)
+        return super().RequestUpdateExtent(request, inputs, outputs)
+
+    def _look_at_like(self, inputs):
+        """Takes over the place that the pipeline announces for the image on port 1."""
+        self.like = self.frame = None
+        info = inputs[1].GetInformationObject(0)
+        if info is not None:
+            self.like = vtkImageData()
+            if info.Has(Pipeline.WHOLE_EXTENT()):
+                self.like.SetExtent(info.Get(Pipeline.WHOLE_EXTENT()))
+            self.like.CopyInformationFromPipeline(info)
+
+    def _check_like(self, image):
+        """Refuses an image that lies elsewhere than its pipeline has announced."""
+        if image is not None and image.GetNumberOfPoints() > 0 and (
+                _place_of(image) != _place_of(self.like)):
+            raise WindingError(
+                "the image lies elsewhere than announced: give it as data (Like); the filter or "
+                "reader before it does not announce its origin, spacing or direction")
+
+    def _lay_on_like(self):
+        if self.like.GetNumberOfPoints() == 0:
+            raise WindingError(
+                "the image to lie on is empty: give one with voxels (Like), or give none")
+        if not has_right_angles(self.like):
+            raise WindingError("the image's axes are not at right angles: resample it first, or "
+                               "probe it instead (Winding Number Probe)")
+        self.grid, self.frame = grid_of_image(self.like, self.values["OutputAssociation"] == 1)
+        if self.grid is None:
+            raise WindingError("the image to lie on has no spacing: give another (Like)")
+
+    def _lay_over(self, out_info, ranks):
+        self.find_bounds_over_all_times(out_info, ranks)
+        if self.values["UseInputBounds"]:
+            self.update_source(out_info)
+        data = self.source()
+        self.source_kind = kind_of(data)
+        self.lay_out_grid(data, ranks)
+
+    def key_of(self, data):
+        return (*super().key_of(data), self.frame)
+
     def RequestInformation(self, request, inputs, outputs):
         out_info = outputs.GetInformationObject(0)
         # The pipeline hands on the grid of an image that the source was made of.
         out_info.Remove(vtkDataObject.ORIGIN())
         out_info.Remove(vtkDataObject.SPACING())
+        out_info.Remove(vtkDataObject.DIRECTION())
         out_info.Set(Pipeline.WHOLE_EXTENT(), [0, -1, 0, -1, 0, -1], 6)
         with self.reporting():
             self.source_kind = kind_of(self.source())
             self.check()
             ranks = Ranks()
-            self.find_bounds_over_all_times(out_info, ranks)
-            if self.values["UseInputBounds"]:
-                self.update_source(out_info)
-            data = self.source()
-            self.source_kind = kind_of(data)
-            self.lay_out_grid(data, ranks)
+            self._look_at_like(inputs)
             as_cells = self.values["OutputAssociation"] == 1
-            counts = [count if as_cells else count - 1 for count in self.grid.dimensions]
-            out_info.Set(
-                Pipeline.WHOLE_EXTENT(), [end for count in counts for end in (0, count)], 6)
+            if self.like is not None:
+                self._lay_on_like()
+                extent = self.like.GetExtent()
+            else:
+                self._lay_over(out_info, ranks)
+                counts = [count if as_cells else count - 1 for count in self.grid.dimensions]
+                extent = [end for count in counts for end in (0, count)]
+            out_info.Set(Pipeline.WHOLE_EXTENT(), extent, 6)
             self._tell_grid(out_info, self.grid)
             out_info.Set(self.CAN_PRODUCE_SUB_EXTENT(), 1)
             if not as_cells:
@@ -245,11 +311,18 @@ class ImageAlgorithm(GridAlgorithm):
         return 1
 
     def _tell_grid(self, out_info, grid):
+        if self.like is not None:
+            origin, spacing, directions = _place_of(self.like)
+            out_info.Set(vtkDataObject.ORIGIN(), origin, 3)
+            out_info.Set(vtkDataObject.SPACING(), spacing, 3)
+            out_info.Set(vtkDataObject.DIRECTION(), directions, 9)
+            return
         origin = list(grid.origin)
         if self.values["OutputAssociation"] == 1:
             origin = [start - 0.5 * step for start, step in zip(origin, grid.spacing)]
         out_info.Set(vtkDataObject.ORIGIN(), origin, 3)
         out_info.Set(vtkDataObject.SPACING(), list(grid.spacing), 3)
+        out_info.Set(vtkDataObject.DIRECTION(), np.eye(3).ravel().tolist(), 9)
 
     def RequestData(self, request, inputs, outputs):
         out_info = outputs.GetInformationObject(0)
@@ -264,17 +337,25 @@ class ImageAlgorithm(GridAlgorithm):
             ranks = Ranks()
             data = self.source()
             self.source_kind = kind_of(data)
-            grid = self.moved_grid(data, ranks)
+            if self.like is not None:
+                self._check_like(vtkImageData.GetData(inputs[1]))
+                grid = self.grid
+            else:
+                grid = self.moved_grid(data, ranks)
             self._tell_grid(out_info, grid)
             extent = list(out_info.Get(Pipeline.UPDATE_EXTENT()))
             samples = list(extent)
+            if self.like is not None:  # samples have numbers from 0 on
+                first = self.like.GetExtent()[::2]
+                samples = [end - first[number // 2] for number, end in enumerate(extent)]
             attributes = output.GetPointData()
             if self.values["OutputAssociation"] == 1:
                 attributes = output.GetCellData()
-                samples[1::2] = [last - 1 for last in samples[1::2]]
+                for axis in range(3):  # a flat image has a layer of cells, too
+                    if self.like is None or self.like.GetDimensions()[axis] > 1:
+                        samples[2 * axis + 1] -= 1
             output.SetExtent(*extent)
-            output.SetOrigin(out_info.Get(vtkDataObject.ORIGIN()))
-            output.SetSpacing(out_info.Get(vtkDataObject.SPACING()))
+            output.CopyInformationFromPipeline(out_info)
             self.make_image(data, ranks, grid, samples, output, attributes)
         if self.status != DONE:
             # The pipeline would add an extent that failed to the next one that is asked for.

@@ -17,7 +17,7 @@ from vtkwinding import _datasets, _library
 from vtkwinding._errors import WindingError
 from vtkwinding._library import polygons_of
 from vtkwinding._regions import name_of, names_of_ids, names_of_parts, regions_of
-from vtkwinding._sources import kept_polygons
+from vtkwinding._sources import framed, kept_polygons
 
 from .algorithm import RUN, copied, declared, new_array, pointer
 from .grids import FRACTION, ImageAlgorithm, sample_count
@@ -338,7 +338,8 @@ class WindingNumberLabels(ImageAlgorithm):
         self._kept = (None, None, None)
 
     def FillInputPortInformation(self, port, info):
-        info.Set(self.INPUT_IS_REPEATABLE(), 1)
+        if port == 0:
+            info.Set(self.INPUT_IS_REPEATABLE(), 1)
         return super().FillInputPortInformation(port, info)
 
     def SetInputName(self, connection, name):
@@ -393,7 +394,8 @@ class WindingNumberLabels(ImageAlgorithm):
             self.between(0.3 * number / len(solids.solids), 0.3 * (number + 1) / len(solids.solids))
             notes = []
             try:
-                fields.append(self.field_of(solid.parts, note=notes.append))
+                parts = solid.parts if self.frame is None else framed(solid.parts, self.frame)
+                fields.append(self.field_of(parts, note=notes.append))
             except WindingError as error:
                 error.args = (f"{error}{', ' if '; ' in str(error) else '; '}solid '{solid.name}'",)
                 raise

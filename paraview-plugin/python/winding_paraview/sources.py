@@ -306,6 +306,7 @@ class SourceAlgorithm(Algorithm):
         """The field of the library for parts: a handle."""
         method = self.value("PointAreaMethod")
         is_constant = method == CONSTANT_AREA
+        toward = _options.viewpoints(self.values["Toward"])
         options = _library.Options(
             method=self.value("Method"), tolerance=self.value("Tolerance"),
             regularization=self.value("Regularization"),
@@ -313,7 +314,7 @@ class SourceAlgorithm(Algorithm):
             mean_point_area=is_constant, number_of_neighbors=self.value("NumberOfNeighbors"),
             estimate_normals=bool(self.value("EstimateNormals")) and parts.normals is None,
             normal_estimation=self.value("NormalEstimation"),
-            toward=_options.viewpoints(self.values["Toward"]),
+            toward=toward if self.frame is None else self.frame.toward(toward.decode()).encode(),
             orient_faces=bool(self.value("OrientFaces")),
             ignore_open_parts=bool(self.value("IgnoreOpenParts")), scattered=self.is_scattered)
         handle = _library.Handle("winding_field_free")

@@ -35,12 +35,17 @@ bool hasRightAngles(vtkImageData* image)
   return (skew.array().abs() <= mostSkew).all(); // and none is NaN
 }
 
-std::optional<ImageGrid> gridOfImage(vtkDataSet* data, bool atCells)
+ImageGrid requiredGridOf(vtkImageData* image, bool atCells)
 {
-  auto* image = vtkImageData::SafeDownCast(data);
-  if (!image || image->GetNumberOfPoints() == 0 || !hasRightAngles(image))
+  if (image->GetNumberOfPoints() == 0)
   {
-    return std::nullopt;
+    throw Refusal(Message("the image to lie on is empty",
+      {{"give one with voxels", {Parameter::like}}, {"give none", {}}}));
+  }
+  if (!hasRightAngles(image))
+  {
+    throw Refusal(Message("the image's axes are not at right angles",
+      {{"resample it first", {}}, {"probe it instead", {Parameter::probe}}}));
   }
   ImageGrid result;
   Eigen::Vector3d start(image->GetOrigin());
@@ -67,15 +72,25 @@ std::optional<ImageGrid> gridOfImage(vtkDataSet* data, bool atCells)
   const Eigen::Array<bool, 3, 1> isLayer = grid.dimensions.array() == 1;
   const double widest = isLayer.select(0, grid.spacing).maxCoeff();
   grid.spacing = isLayer.select(widest > 0 ? widest : 1, grid.spacing);
+  checkGrid(grid);
+  return result;
+}
+
+std::optional<ImageGrid> gridOfImage(vtkDataSet* data, bool atCells)
+{
+  auto* image = vtkImageData::SafeDownCast(data);
+  if (!image)
+  {
+    return std::nullopt;
+  }
   try
   {
-    checkGrid(grid);
+    return requiredGridOf(image, atCells);
   }
   catch (const Refusal&)
   {
     return std::nullopt;
   }
-  return result;
 }
 
 } // namespace winding

@@ -33,4 +33,8 @@ bool hasRightAngles(vtkImageData* image);
 /// point in another order, it differs by a rounding.
 std::optional<ImageGrid> gridOfImage(vtkDataSet* data, bool atCells);
 
+/// The same for an image that a grid is to lie on. Throws Refusal where there is no grid, with the
+/// reason.
+ImageGrid requiredGridOf(vtkImageData* image, bool atCells);
+
 } // namespace winding

@@ -1,6 +1,7 @@
 #include "private/source/SourceField.h"
 
 #include "base/Refusal.h"
+#include "cloud/Viewpoints.h"
 #include "private/source/ContentHash.h"
 #include "private/source/FramedViews.h"
 #include "private/source/SourceMemory.h"
@@ -69,9 +70,14 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
     else
     {
       FramedViews framed(frame_);
+      FieldOptions field = options.field;
+      if (!frame_.isStraight())
+      {
+        field.toward = Viewpoints(field.toward).textAlong(frame_.inverseAxes, frame_.origin);
+      }
       field_ = views->isSurface() || views->isEmpty()
-                 ? Field::build(framed.of(views->triangles()), options.field, executor)
-                 : Field::build(framed.of(views->orientedPoints()), options.field, executor);
+                 ? Field::build(framed.of(views->triangles()), field, executor)
+                 : Field::build(framed.of(views->orientedPoints()), field, executor);
     }
     options_ = options.field;
     info_ = field_->info();
