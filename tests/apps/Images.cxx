@@ -172,6 +172,22 @@ std::string packedByGzip(const std::string& contents)
   return packed;
 }
 
+std::string unpackedAny(const std::string& packed, std::size_t most)
+{
+  std::string result(most, '\0');
+  z_stream stream = {};
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+  stream.avail_in = static_cast<uInt>(packed.size());
+  stream.next_out = reinterpret_cast<Bytef*>(result.data());
+  stream.avail_out = static_cast<uInt>(result.size());
+  constexpr int asAny = 32;
+  inflateInit2(&stream, asAny + MAX_WBITS);
+  inflate(&stream, Z_FINISH);
+  result.resize(result.size() - stream.avail_out);
+  inflateEnd(&stream);
+  return result;
+}
+
 std::string asCurvedGrid()
 {
   return grid("StructuredGrid",

@@ -28,6 +28,9 @@ std::string asNifti(NiftiKind kind);
 
 std::string packedByGzip(const std::string& contents);
 
+/// Unpacks what gzip or zlib has packed, `most` bytes at most.
+std::string unpackedAny(const std::string& packed, std::size_t most);
+
 ///@{
 /// Makes grids of eight points, of which the first is the origin and all others are 2 and more
 /// away: .vts and .vtr.

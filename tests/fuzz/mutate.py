@@ -148,6 +148,10 @@ def command_for(chance, name, other):
             "check",
         )
     )
+    if is_image(name) and chance.random() < 0.5:
+        output = "out" + chance.choice((".mha", ".nrrd", ".nii", ".vti"))
+        command = chance.choice(("field", "labels"))
+        return [command, other, "-o", output, "--like", name, *method, *cloud], [output]
     if is_image(name):
         command = "probe"
     if command == "field":

@@ -1,6 +1,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkXMLImageDataReader.h"
@@ -40,6 +41,11 @@ bool haveSameGrid(vtkImageData* a, vtkImageData* b)
   {
     isSame = isSame && a->GetOrigin()[axis] == b->GetOrigin()[axis] &&
              a->GetSpacing()[axis] == b->GetSpacing()[axis];
+  }
+  for (int n = 0; n < 9; ++n)
+  {
+    isSame =
+      isSame && a->GetDirectionMatrix()->GetData()[n] == b->GetDirectionMatrix()->GetData()[n];
   }
   return isSame;
 }

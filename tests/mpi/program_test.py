@@ -111,6 +111,18 @@ def test_pieces(runs):
         assert report["threads"] <= max(1, os.cpu_count() // runs.ranks)
 
 
+def test_on_an_image(runs):
+    """All ranks lie on the image that the first one has read."""
+    words = ["scan.obj", "--like", "ct.nii", "-o"]
+    runs.alone("field", *words, "one.vti")
+    runs.alone("labels", *words, "one.nii")
+    runs.of_ranks("field", *words, "all.vti")
+    runs.require_same("one.vti", "all.vti")
+    runs.of_ranks("field", *words, "all.pvti", status=2)
+    runs.of_ranks("labels", *words, "all.nii")
+    assert filecmp.cmp(runs.folder / "one.nii", runs.folder / "all.nii", shallow=False)
+
+
 def test_probe_and_surface(runs):
     for words, suffix in runs.share((
                           (["probe", "closed.obj", "points.csv"], ".csv"),
@@ -250,8 +262,8 @@ def main(program, mpirun, ranks, compare):
         folder = pathlib.Path(temporary)
         inputs.main(folder)
         runs = Runs(program, mpirun, int(ranks), compare, folder)
-        for test in (test_fields, test_verification, test_pieces, test_probe_and_surface,
-                     test_labels, test_failures, test_killed_ranks):
+        for test in (test_fields, test_verification, test_pieces, test_on_an_image,
+                     test_probe_and_surface, test_labels, test_failures, test_killed_ranks):
             test(runs)
     return 0
 

@@ -6,6 +6,7 @@ Usage: inputs.py <folder>
 import math
 import pathlib
 import random
+import struct
 import sys
 
 COLUMNS, ROWS = 40, 24
@@ -115,11 +116,30 @@ def volume_mesh(cells=14):
         "</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>"]
 
 
+def oblique_image(count=24):
+    """The header of a NIfTI image around the origin, along axes that no axis of space is."""
+    step = 3 / count
+    columns = [(0.8, 0.36, 0.48), (-0.6, 0.48, 0.64), (0, -0.8, 0.6)]
+    header = bytearray(352)
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<8h", header, 40, 3, count, count, count, 1, 1, 1, 1)
+    struct.pack_into("<hh", header, 70, 4, 16)
+    struct.pack_into("<5f", header, 76, 1, step, step, step, 1)
+    struct.pack_into("<f", header, 108, 352)
+    struct.pack_into("<2h", header, 252, 0, 1)
+    for row in range(3):
+        steps = [column[row] * step for column in columns]
+        struct.pack_into("<4f", header, 280 + 16 * row, *steps, -sum(steps) * (count - 1) / 2)
+    header[344:347] = b"n+1"
+    return bytes(header)
+
+
 def main(folder):
     points, triangles = sphere()
     turned = [t[::-1] if number % 3 == 0 else t for number, t in enumerate(triangles)]
     files = {
         "closed.obj": obj(points, triangles),
+        "organ.obj": obj(points, triangles),
         "scan.obj": obj(*scan(points, triangles)),
         "soup.obj": obj(*soup(points, triangles)),
         "turned.obj": obj(points, turned),
@@ -132,6 +152,7 @@ def main(folder):
     folder.mkdir(parents=True, exist_ok=True)
     for name, lines in files.items():
         (folder / name).write_text("\n".join(lines) + "\n", encoding="ascii")
+    (folder / "ct.nii").write_bytes(oblique_image())
 
 
 if __name__ == "__main__":

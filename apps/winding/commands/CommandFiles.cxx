@@ -9,7 +9,9 @@
 #include "program/Messages.h"
 #include "program/ParallelRun.h"
 
+#include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkMatrix3x3.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
@@ -28,6 +30,12 @@ vtkSmartPointer<vtkDataObject> readOnFirstRank(
   return data;
 }
 
+/// Gives all ranks the number that the first one has. Collective.
+double ofFirstRank(double number)
+{
+  return parallel::sum(parallel::isFirst() ? number : 0);
+}
+
 } // namespace
 
 std::vector<std::string> filesToKeep(const Options& options)
@@ -37,7 +45,7 @@ std::vector<std::string> filesToKeep(const Options& options)
     return {};
   }
   std::vector<std::string> files = options.inputs;
-  for (const std::string& file : {options.queries, options.towardFile})
+  for (const std::string& file : {options.queries, options.towardFile, options.like})
   {
     if (!file.empty())
     {
@@ -45,6 +53,38 @@ std::vector<std::string> filesToKeep(const Options& options)
     }
   }
   return files;
+}
+
+PlacedImage readLike(const Options& options, Messages& messages)
+{
+  PlacedImage place;
+  if (options.like.empty())
+  {
+    return place;
+  }
+  parallel::agreeOnFirst([&] { place = readPlace(options.like, messages); });
+  if (!parallel::isFirst())
+  {
+    place.image = vtkSmartPointer<vtkImageData>::New();
+  }
+  int extent[6];
+  double origin[3], spacing[3], directions[9];
+  for (int n = 0; n < 9; ++n)
+  {
+    directions[n] = ofFirstRank(place.image->GetDirectionMatrix()->GetData()[n]);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    origin[axis] = ofFirstRank(place.image->GetOrigin()[axis]);
+    spacing[axis] = ofFirstRank(place.image->GetSpacing()[axis]);
+    extent[2 * axis] = static_cast<int>(ofFirstRank(place.image->GetExtent()[2 * axis]));
+    extent[2 * axis + 1] = static_cast<int>(ofFirstRank(place.image->GetExtent()[2 * axis + 1]));
+  }
+  place.image->SetExtent(extent);
+  place.image->SetOrigin(origin);
+  place.image->SetSpacing(spacing);
+  place.image->SetDirectionMatrix(directions);
+  return place;
 }
 
 std::unique_ptr<OutputFile> openOnFirstRank(const Options& options)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "files/ImageSpace.h"
+
 #include "vtkSmartPointer.h"
 
 #include <memory>
@@ -13,6 +15,10 @@ struct Options;
 
 /// Returns the files that no output may replace: those that are read, or none with --overwrite.
 std::vector<std::string> filesToKeep(const Options& options);
+
+/// Reads the image that the result is to lie on, on the first rank, for all of them. Returns an
+/// empty place if the options name none. Collective.
+PlacedImage readLike(const Options& options, Messages& messages);
 
 /// Opens the output file on the first rank, and returns null on the others. Throws Failure on all
 /// ranks where it cannot be written. Collective.

@@ -8,6 +8,7 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -68,6 +69,7 @@ vtkSmartPointer<vtkImageData> emptyImage(vtkImageData* slab, const std::vector<S
   image->SetExtent(whole.data());
   image->SetOrigin(slab->GetOrigin());
   image->SetSpacing(slab->GetSpacing());
+  image->SetDirectionMatrix(slab->GetDirectionMatrix());
   image->GetFieldData()->ShallowCopy(slab->GetFieldData());
   const bool asCells = hasCells(slab);
   const vtkIdType samples = asCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();

@@ -2,6 +2,7 @@
 
 #include "commands/CommandFiles.h"
 #include "commands/FilterSettings.h"
+#include "files/Formats.h"
 #include "options/Options.h"
 #include "program/Interrupt.h"
 #include "program/Messages.h"
@@ -10,7 +11,11 @@
 
 #include "vtkCommand.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMatrix3x3.h"
 #include "vtkPointSet.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkWindingNumberImageAlgorithm.h"
 
 #include <algorithm>
 
@@ -22,8 +27,15 @@ FieldRun::FieldRun(
   , report_(filter, options)
 {
   const Stopwatch reading;
+  like_ = readLike(options, messages);
+  parallel::agree([this] { this->checkPiecesKeepDirections(); });
   const vtkSmartPointer<vtkDataObject> input = readSource(options, messages);
   report_.setReadSeconds(reading.seconds());
+  report_.setLike(like_);
+  if (auto* image = vtkWindingNumberImageAlgorithm::SafeDownCast(&filter_))
+  {
+    image->SetLikeData(like_.image);
+  }
   filter_.SetInputDataObject(input);
   filter_.SetSourceDistribution(vtkWindingNumberAlgorithm::DISTRIBUTED);
   applyMethod(options, &filter_);
@@ -82,11 +94,38 @@ std::vector<SlabExtent> FieldRun::slabs(std::size_t wanted, bool overlap) const
   double firstSample[3], spacing[3];
   filter_.GetGrid(voxels, firstSample, spacing);
   std::vector<SlabExtent> slabs = slabsOf(voxels, options_.cells, overlap, wanted);
+  // The image that the result lies on may begin elsewhere than at 0.
+  const SlabExtent whole = this->wholeExtent();
+  for (SlabExtent& slab : slabs)
+  {
+    const int first = whole[4] + slab[4], last = std::min(whole[4] + slab[5], whole[5]);
+    slab = {whole[0], whole[1], whole[2], whole[3], first, last};
+  }
   if (slabs.size() < wanted && options_.pieces > 1)
   {
     this->warnOfPieces(slabs.size());
   }
   return slabs;
+}
+
+/// Throws Failure for pieces of an image that is turned: no VTK up to 9.7 reads directions of them.
+void FieldRun::checkPiecesKeepDirections() const
+{
+  if (like_.image && suffixOf(options_.output) == ".pvti" &&
+      !like_.image->GetDirectionMatrix()->IsIdentity())
+  {
+    throw Failure(EXIT_REFUSED, options_.output,
+      "would lose the directions of " + options_.like +
+        ", for VTK reads none from .pvti; give it the suffix .vti");
+  }
+}
+
+SlabExtent FieldRun::wholeExtent() const
+{
+  SlabExtent extent;
+  filter_.GetOutputInformation(0)->Get(
+    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent.data());
+  return extent;
 }
 
 void FieldRun::warnOfPieces(std::size_t most) const
@@ -99,8 +138,12 @@ void FieldRun::warnOfPieces(std::size_t most) const
 vtkImageData* FieldRun::makeSlab(const std::vector<SlabExtent>& slabs, std::size_t number)
 {
   isIdle_ = number >= slabs.size();
-  const int last = options_.cells ? 1 : 0;
-  const SlabExtent extent = isIdle_ ? SlabExtent{0, last, 0, last, 0, last} : slabs[number];
+  SlabExtent extent = isIdle_ ? this->wholeExtent() : slabs[number];
+  for (std::size_t axis = 0; isIdle_ && axis < 3; ++axis)
+  {
+    extent[2 * axis + 1] =
+      std::min(extent[2 * axis] + (options_.cells ? 1 : 0), extent[2 * axis + 1]);
+  }
   // The memory is free for the next slab; and the filter executes even if the last one had it all.
   filter_.GetOutputDataObject(0)->ReleaseData();
   this->execute([&] { filter_.UpdateExtent(extent.data()); });

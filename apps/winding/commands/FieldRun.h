@@ -2,6 +2,7 @@
 
 #include "commands/FieldParts.h"
 #include "commands/RunReport.h"
+#include "files/ImageSpace.h"
 #include "program/Stopwatch.h"
 
 #include "vtkSmartPointer.h"
@@ -29,6 +30,9 @@ public:
   Messages& messages() const { return messages_; }
   vtkWindingNumberGridAlgorithm& filter() const { return filter_; }
   RunReport& report() { return report_; }
+
+  /// The image that the result lies on; its place is empty if there is none.
+  const PlacedImage& like() const { return like_; }
 
   /// Makes the whole output of the filter.
   void update();
@@ -60,11 +64,14 @@ private:
   void startExecution();
   void addExecution();
   void warnOfPieces(std::size_t most) const;
+  SlabExtent wholeExtent() const;
+  void checkPiecesKeepDirections() const;
 
   vtkWindingNumberGridAlgorithm& filter_;
   const Options& options_;
   Messages& messages_;
   RunReport report_;
+  PlacedImage like_;
   unsigned long startObserver_ = 0;
   unsigned long endObserver_ = 0;
   Stopwatch execution_;

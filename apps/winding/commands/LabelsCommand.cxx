@@ -76,6 +76,11 @@ void makeSurface(
   messages.throwIfError(options.input);
 }
 
+bool isImage(const std::string& suffix)
+{
+  return suffix == ".vti" || isMedical(suffix);
+}
+
 /// Adds to the report what the solids are, and prints it. The image is the filter's own, or the
 /// whole one that the first rank has gathered.
 void report(
@@ -120,7 +125,7 @@ void writeWhole(vtkWindingNumberLabels& filter, const Options& options, Messages
   const auto output = openOnFirstRank(options);
   FieldRun run(filter, options, messages);
   const vtkSmartPointer<vtkImageData> image = gatherImage(run);
-  if (suffixOf(options.output) == ".vti")
+  if (isImage(suffixOf(options.output)))
   {
     writeResult(run, image, output.get());
   }
@@ -144,7 +149,7 @@ void runLabels(const Options& options, Messages& messages)
   {
     writePieces(*filter, options, messages);
   }
-  else if (suffix == ".vti" && parallel::isAlone())
+  else if (isImage(suffix) && parallel::isAlone())
   {
     writeAlone(*filter, options, messages);
   }

@@ -8,6 +8,8 @@
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkPolyData.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberHyperTree.h"
@@ -148,8 +150,37 @@ void RunReport::gatherFigures()
   peakMemories_ = parallel::allGather(static_cast<double>(peakMemory()));
 }
 
+/// Describes the image that the result lies on, in the coordinates of its file.
+Json RunReport::describeLike() const
+{
+  vtkImageData* const image = like_.image;
+  double first[3];
+  image->TransformIndexToPhysicalPoint(
+    image->GetExtent()[0], image->GetExtent()[2], image->GetExtent()[4], first);
+  const bool hasCells = options_.cells;
+  Json dimensions, origins, spacings, directions;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int points = image->GetDimensions()[axis];
+    dimensions.push_back(hasCells ? std::max(1, points - 1) : points);
+    origins.push_back(first[axis]);
+    spacings.push_back(image->GetSpacing()[axis]);
+  }
+  for (int n = 0; n < 9; ++n)
+  {
+    directions.push_back(image->GetDirectionMatrix()->GetData()[n]);
+  }
+  return {{"dimensions", dimensions}, {"origin", origins}, {"spacing", spacings},
+    {"directions", directions}, {"like", options_.like}, {"space", nameOf(like_.space)},
+    {"association", hasCells ? "cells" : "points"}};
+}
+
 Json RunReport::describeGrid() const
 {
+  if (like_.image)
+  {
+    return this->describeLike();
+  }
   int voxels[3];
   double firstSample[3], spacing[3];
   filter_.GetGrid(voxels, firstSample, spacing);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "files/ImageSpace.h"
 #include "program/Print.h"
 #include "program/Stopwatch.h"
 
@@ -42,7 +43,11 @@ public:
   /// Prints the report, as JSON or for people, once the output is written. Collective.
   void print();
 
+  /// Takes the image that the result lies on, which the grid is described by then.
+  void setLike(const PlacedImage& place) { like_ = place; }
+
 private:
+  Json describeLike() const;
   void gatherFigures();
   Json report() const;
   Json describeGrid() const;
@@ -57,6 +62,7 @@ private:
   const Options& options_;
   Stopwatch stopwatch_;
   Json additions_ = Json::object(); ///< of add()
+  PlacedImage like_;                ///< empty if there is none
   Json fidelity_;                   ///< null unless the options ask for it
   std::string fidelityInWords_;
   Json output_; ///< null for an image

@@ -33,6 +33,12 @@ void runVoxels(const Options& given, Messages& messages)
   applyField(options, field);
   FieldRun run(*field, options, messages);
   run.update();
+  if (isMedical(suffixOf(options.output)))
+  {
+    writeResult(run, field->GetOutput(), &output);
+    run.printReport();
+    return;
+  }
   vtkNew<vtkWindingNumberVoxels> voxels;
   voxels->SetInputData(field->GetOutput());
   voxels->SetInputArrayToProcess(0, 0, 0,

@@ -1,7 +1,9 @@
 #include "commands/WriteField.h"
 
 #include "commands/FieldRun.h"
+#include "files/Formats.h"
 #include "options/Options.h"
+#include "output/ImageFile.h"
 #include "output/OutputFile.h"
 #include "output/PiecesFile.h"
 #include "output/WriteOutput.h"
@@ -13,6 +15,7 @@
 #include "vtkFieldData.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <functional>
@@ -37,6 +40,11 @@ void writeOnFirst(FieldRun& run, OutputFile* file, const std::function<void()>& 
 
 void writeField(FieldRun& run, OutputFile& file)
 {
+  if (isMedical(suffixOf(file.name())))
+  {
+    writeResult(run, vtkImageData::SafeDownCast(run.filter().GetOutputDataObject(0)), &file);
+    return;
+  }
   const int pieces = run.pieces();
   Progress::setPieces(pieces);
   const Progress progress(&run.filter(), Phase::evaluating, run.messages().isQuiet());
@@ -83,7 +91,25 @@ vtkSmartPointer<vtkImageData> gatherImage(FieldRun& run)
 
 void writeResult(FieldRun& run, vtkImageData* image, OutputFile* file)
 {
-  writeOnFirst(run, file, [&] { writeImage(image, *file, run.messages()); });
+  writeOnFirst(run, file,
+    [&]
+    {
+      if (isMedical(suffixOf(file->name())))
+      {
+        // The formats have one array.
+        const Options& options = run.options();
+        const bool isMask = options.command == "voxels" || options.insideOnly;
+        const std::string array = options.command == "labels" ? "Label"
+                                  : isMask                    ? "Inside"
+                                                              : options.array;
+        image->GetPointData()->SetActiveScalars(array.c_str());
+        writeMedicalImage({image, run.like().space}, *file);
+      }
+      else
+      {
+        writeImage(image, *file, run.messages());
+      }
+    });
 }
 
 void writeResult(FieldRun& run, vtkPolyData* surface, OutputFile* file)

@@ -2,8 +2,6 @@
 
 #include "files/Text.h"
 
-#include "vtkImageData.h"
-
 #include <algorithm>
 #include <iterator>
 

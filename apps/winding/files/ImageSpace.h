@@ -1,11 +1,10 @@
 #pragma once
 
+#include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
 #include <string>
-
-class vtkImageData;
 
 /// The ways in which medical files lay axes into a patient: to the left or right, to the back
 /// (posterior) or front (anterior), and to the head (superior).

@@ -118,6 +118,26 @@ vtkSmartPointer<vtkDataSet> readQueries(
   return readPoints(fileName, messages, columns);
 }
 
+PlacedImage readPlace(const std::string& fileName, Messages& messages)
+{
+  messages.setSubject(fileName);
+  const std::string suffix = suffixOf(fileName);
+  if (isMedical(suffix))
+  {
+    return readImageHeader(fileName);
+  }
+  if (suffix != ".vti")
+  {
+    throw Failure(
+      EXIT_REFUSED, fileName, "is no image to lie on; give one of .vti .mha .nrrd .nii .nii.gz");
+  }
+  const auto read = readByVtk(fileName, *vtkFormatOf(suffix), messages);
+  PlacedImage place;
+  place.image = vtkSmartPointer<vtkImageData>::New();
+  place.image->CopyStructure(vtkDataSet::SafeDownCast(read));
+  return place;
+}
+
 void readBy(vtkSourceReader* reader, const std::string& fileName, Messages& messages)
 {
   checkContentFits(fileName);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "files/ImageSpace.h"
+
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -36,6 +38,10 @@ vtkSmartPointer<vtkPointSet> readPoints(
  */
 vtkSmartPointer<vtkDataSet> readQueries(
   const std::string& fileName, Messages& messages, const ColumnOptions& columns = {});
+
+/// Reads where the voxels of an image lie: .vti or a medical one. Throws Failure as readInput()
+/// does.
+PlacedImage readPlace(const std::string& fileName, Messages& messages);
 
 /// Reads a file with a reader of the module, which believes nothing that the file does not hold,
 /// and shows its progress. Throws Failure as readInput() does.

@@ -18,6 +18,7 @@ namespace
 {
 
 constexpr const char* surfaceFormats = ".vtp .ply .stl .obj";
+constexpr const char* medicalFormats = ".mha .nrrd .nii .nii.gz";
 
 CLI::App* addCommand(
   CLI::App& app, Options& options, const std::string& name, const std::string& description)
@@ -30,8 +31,10 @@ CLI::App* addCommand(
 void addField(CLI::App& app, Options& options)
 {
   CLI::App* field = addCommand(app, options, "field", "Winding field on a grid of voxels");
-  addOutput(
-    field, options, ".vti, .pvti, or .htg, which holds voxels with the same numbers as one cell");
+  addOutput(field, options,
+    std::string(".vti, .pvti, or .htg, which holds voxels with the same numbers as one cell; or a "
+                "medical image with one array: ") +
+      medicalFormats);
   addThreshold(field, options);
   addCoverage(field, options);
   field->add_flag("--inside", options.inside, "Add the array Inside")->group("Output");
@@ -86,7 +89,8 @@ void addVoxels(CLI::App& app, Options& options)
 {
   CLI::App* voxels = addCommand(app, options, "voxels", "Surface of the voxels that are inside");
   addOutput(voxels, options,
-    std::string(surfaceFormats) + "; or .htg, the voxels themselves as a hyper tree grid");
+    std::string(surfaceFormats) +
+      "; or the voxels themselves: .htg, a hyper tree grid, or as a mask " + medicalFormats);
   addThreshold(voxels, options);
   addCoverage(voxels, options);
   voxels
@@ -104,8 +108,8 @@ void addLabels(CLI::App& app, Options& options)
   CLI::App* labels =
     addCommand(app, options, "labels", "Which of several solids each voxel lies in, as labels");
   addOutput(labels, options,
-    std::string(".vti or .pvti, the labels; or the surface between voxels of different ones: ") +
-      surfaceFormats);
+    std::string(".vti .pvti ") + medicalFormats +
+      ", the labels; or the surface between voxels of different ones: " + surfaceFormats);
   labels
     ->add_option("--overlap", options.overlap,
       "A voxel in several solids gets the label of: first | last | largest, the one with the "

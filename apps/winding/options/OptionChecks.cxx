@@ -1,6 +1,7 @@
 #include "options/OptionChecks.h"
 
 #include "files/Formats.h"
+#include "files/ImageSpace.h"
 #include "options/Options.h"
 #include "program/Failure.h"
 #include "program/Print.h"
@@ -60,6 +61,37 @@ std::string inWords(const Range& range)
 }
 
 const std::vector<std::string> surfaceSuffixes = {".vtp", ".ply", ".stl", ".obj"};
+const std::vector<std::string> medicalSuffixes = {".mha", ".nrrd", ".nii", ".nii.gz"};
+
+/// The suffixes of two lists.
+std::vector<std::string> both(
+  std::vector<std::string> suffixes, const std::vector<std::string>& others)
+{
+  suffixes.insert(suffixes.end(), others.begin(), others.end());
+  return suffixes;
+}
+
+/// Refuses what medical images have no place for.
+void checkMedical(const Options& options)
+{
+  const std::string suffix = suffixOf(options.output);
+  if (!isMedical(suffix))
+  {
+    return;
+  }
+  requireUsage(!options.cells,
+    "--cells is for images with cells, which " + suffix + " has none of; leave it out");
+  requireUsage(options.pieces == 1,
+    "--pieces is for .vti and .pvti, and " + suffix + " is written as a whole; leave it out");
+  const std::pair<const char*, bool> arrays[] = {{"--inside", options.inside},
+    {"--distance", options.distance}, {"--count", options.count},
+    {"--shares", options.shares != 0}};
+  for (const auto& [option, isGiven] : arrays)
+  {
+    requireUsage(!isGiven, std::string(option) + " adds an array, and " + suffix +
+                             " holds one; give the output the suffix .vti or leave it out");
+  }
+}
 
 void checkGrid(const Options& options, const WasGiven& wasGiven)
 {
@@ -162,6 +194,12 @@ void checkDistanceBand(const Options& options, const WasGiven& wasGiven)
     "--distance-band is for --distance; say that, too, or leave it out");
 }
 
+void checkTreeLike(const Options& options)
+{
+  requireUsage(options.like.empty() || suffixOf(options.output) != ".htg",
+    "--like is an image, and .htg holds none; give the output another suffix or leave it out");
+}
+
 void checkHyperTree(const Options& options, const WasGiven& wasGiven)
 {
   const bool isHyperTree = suffixOf(options.output) == ".htg";
@@ -169,6 +207,7 @@ void checkHyperTree(const Options& options, const WasGiven& wasGiven)
     "--merge-tolerance is for outputs .htg; leave it out");
   requireUsage(!options.insideOnly || !wasGiven("--merge-tolerance"),
     "--merge-tolerance is for winding numbers, which --inside-only does not make; leave one out");
+  checkTreeLike(options);
   requireUsage(!isHyperTree || !options.distance,
     "--distance needs an image, which .htg is not; give the output the suffix .vti or leave it "
     "out");
@@ -179,9 +218,9 @@ void checkHyperTree(const Options& options, const WasGiven& wasGiven)
 
 void checkLabels(const Options& options, const WasGiven& wasGiven)
 {
-  std::vector<std::string> suffixes = surfaceSuffixes;
-  suffixes.insert(suffixes.begin(), {".vti", ".pvti"});
-  checkOutput(options.output, options.command, suffixes);
+  checkOutput(options.output, options.command,
+    both(both({".vti", ".pvti"}, medicalSuffixes), surfaceSuffixes));
+  checkMedical(options);
   checkFieldOptions(options, wasGiven);
   checkCoverage(options, wasGiven);
   requireUsage(options.coverage == Filter::FRACTION || !wasGiven("--shares"),
@@ -261,7 +300,8 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
   }
   else if (options.command == "field")
   {
-    checkOutput(options.output, options.command, {".vti", ".pvti", ".htg"});
+    checkOutput(options.output, options.command, both({".vti", ".pvti", ".htg"}, medicalSuffixes));
+    checkMedical(options);
     checkFieldOptions(options, wasGiven);
     checkCoverage(options, wasGiven);
     checkDistanceBand(options, wasGiven);
@@ -272,13 +312,15 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
     std::vector<std::string> suffixes = surfaceSuffixes;
     if (options.command == "voxels")
     {
-      suffixes.emplace_back(".htg");
+      suffixes = both(both(suffixes, {".htg"}), medicalSuffixes);
     }
     checkOutput(options.output, options.command, suffixes);
+    checkMedical(options);
     checkFieldOptions(options, wasGiven);
     if (options.command == "voxels")
     {
       checkCoverage(options, wasGiven);
+      checkTreeLike(options);
     }
     requireUsage(!options.distance || suffixOf(options.output) == ".vtp",
       "--distance is for outputs .vtp; give the output that suffix or leave it out");

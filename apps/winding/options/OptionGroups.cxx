@@ -33,6 +33,21 @@ void addGrid(CLI::App* command, Options& options)
   resolution->excludes(voxelSize)->excludes(dimensions);
   voxelSize->excludes(dimensions);
   bounds->excludes(padding);
+  if (command->get_name() != "surface")
+  {
+    command
+      ->add_option("--like", options.like,
+        "Lie on this image: its voxels, origin, spacing and directions; .vti or a medical image, "
+        "of "
+        "which only the header is read: .mha .nrrd .nii .nii.gz")
+      ->type_name("IMAGE")
+      ->group(group)
+      ->excludes(resolution)
+      ->excludes(voxelSize)
+      ->excludes(dimensions)
+      ->excludes(bounds)
+      ->excludes(padding);
+  }
   for (CLI::Option* option : {resolution, voxelSize, dimensions, bounds, padding, cells})
   {
     option->group(group);

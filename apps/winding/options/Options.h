@@ -20,6 +20,7 @@ struct Options
   std::vector<int> dimensions;
   std::vector<double> bounds;
   double padding = 0.05;
+  std::string like; ///< the image to lie on; empty if none is given
   bool cells = false;
 
   // The method. Choices have the numbers that the filters give them.

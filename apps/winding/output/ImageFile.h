@@ -1,0 +1,21 @@
+#pragma once
+
+#include "files/ImageSpace.h"
+
+class Messages;
+class OutputFile;
+
+/**
+ * Writes the active scalars of an image, at its points, as a medical image: .mha .nrrd .nii .nii.gz
+ * by the suffix of the file, packed unless that is .nii. Numbers keep their type: unsigned char,
+ * unsigned short, float or double.
+ *
+ * Coordinates are in `placed.space`, and go into the format's own space: LPS in .mha, RAS in NIfTI.
+ * So voxels stay where they are in the patient. A .nrrd names the space. Where the space is
+ * unnamed, coordinates go out as they are, and count as LPS in .mha and .nrrd, and as RAS in NIfTI.
+ * NIfTI keeps them in single precision.
+ *
+ * Leaves commit() to the caller. Throws Failure when the file cannot be written whole, when the
+ * program is interrupted, and for images that a format cannot hold.
+ */
+void writeMedicalImage(const PlacedImage& placed, OutputFile& file);

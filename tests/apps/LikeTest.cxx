@@ -1,0 +1,241 @@
+/// Results that lie on an image, and medical images as outputs. tests/apps/medical_images.py has
+/// other programs read them.
+
+#include "apps/Images.h"
+#include "apps/Inputs.h"
+#include "apps/RunProgram.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkXMLImageDataReader.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace
+{
+
+/// A head, whose file has a space, in which the sphere lies around the origin.
+struct Head
+{
+  std::string name, contents;
+  bool isRas;
+  double tolerance; ///< of places
+};
+
+std::vector<Head> heads()
+{
+  return {{"head.mha", asMetaImage(), false, 1e-12},
+    {"head.nrrd", asNrrd("left-posterior-superior"), false, 1e-12},
+    {"head.nii.gz", packedByGzip(asNifti(NiftiKind::sform)), true, 1e-6},
+    {"head.nii", asNifti(NiftiKind::qform), true, 1e-6}};
+}
+
+/// Expects that voxels of an image lie where those of the head do, in a space that may look the
+/// other way along x and y.
+void expectPlace(vtkImageData* image, bool isTurned, double tolerance)
+{
+  ASSERT_EQ(image->GetNumberOfPoints(), 7 * 8 * 9);
+  for (const std::array<int, 3> index :
+    {std::array<int, 3>{0, 0, 0}, {6, 0, 0}, {0, 7, 0}, {3, 4, 8}})
+  {
+    const std::array<double, 3> expected = voxelOfHead(index);
+    double found[3];
+    image->TransformIndexToPhysicalPoint(index.data(), found);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double sign = isTurned && axis < 2 ? -1 : 1;
+      EXPECT_NEAR(found[axis], sign * expected[static_cast<std::size_t>(axis)], tolerance);
+    }
+  }
+}
+
+/// The bytes of the voxels in a file that the program has written.
+std::string voxelsOf(const std::string& fileName, std::size_t bytes)
+{
+  const std::string contents = contentsOf(fileName);
+  const auto endsWith = [&fileName](const std::string& end)
+  {
+    return fileName.size() > end.size() &&
+           fileName.compare(fileName.size() - end.size(), end.size(), end) == 0;
+  };
+  if (endsWith(".mha"))
+  {
+    const std::string last = "ElementDataFile = LOCAL\n";
+    const std::string packed = contents.substr(contents.find(last) + last.size());
+    const std::string size = "CompressedDataSize = " + std::to_string(packed.size()) + " ";
+    EXPECT_NE(contents.find(size), std::string::npos) << contents.substr(0, 300);
+    return unpackedAny(packed, bytes);
+  }
+  if (endsWith(".nrrd"))
+  {
+    return unpackedAny(contents.substr(contents.find("\n\n") + 2), bytes);
+  }
+  constexpr std::size_t header = 352;
+  return (endsWith(".gz") ? unpackedAny(contents, header + bytes) : contents).substr(header);
+}
+
+TEST(Like, MasksLieOnTheVeryImageInEveryFormat)
+{
+  for (const Head& head : heads())
+  {
+    const TemporaryFolder folder;
+    const std::string in = folder.write("in.off", asOff(sphere()));
+    const std::string like = folder.write(head.name, head.contents);
+    const std::string vti = folder.path("mask.vti");
+    ASSERT_EQ(runProgram({"field", in, "-o", vti, "--inside-only", "--like", like}).status, 0);
+    vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName(vti.c_str());
+    reader->Update();
+    expectPlace(reader->GetOutput(), false, head.tolerance);
+    vtkDataArray* const inside = reader->GetOutput()->GetPointData()->GetArray("Inside");
+    ASSERT_NE(inside, nullptr);
+    EXPECT_EQ(inside->GetRange()[1], 1);
+    for (const std::string suffix : {".mha", ".nrrd", ".nii", ".nii.gz"})
+    {
+      SCOPED_TRACE(head.name + " to " + suffix);
+      const std::string mask = folder.path("mask" + suffix), again = folder.path("again.vti");
+      const Outcome run = runProgram({"voxels", in, "-o", mask, "--like", like});
+      ASSERT_EQ(run.status, 0) << run;
+      ASSERT_EQ(runProgram({"probe", in, mask, "-o", again}).status, 0);
+      vtkNew<vtkXMLImageDataReader> placeReader;
+      placeReader->SetFileName(again.c_str());
+      placeReader->Update();
+      // .nrrd has the space of the head, the others their own.
+      const bool isRas = suffix == ".nrrd" ? head.isRas : suffix[1] == 'n';
+      expectPlace(placeReader->GetOutput(), isRas != head.isRas, 1e-6);
+      const std::string voxels = voxelsOf(mask, 7 * 8 * 9);
+      ASSERT_EQ(voxels.size(), 7u * 8 * 9);
+      for (vtkIdType i = 0; i < inside->GetNumberOfTuples(); ++i)
+      {
+        ASSERT_EQ(voxels[static_cast<std::size_t>(i)], inside->GetTuple1(i)) << i;
+      }
+    }
+  }
+}
+
+TEST(Like, NumbersKeepTheirTypes)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere()));
+  const std::string like = folder.write("head.nii", asNifti(NiftiKind::wide));
+  constexpr std::size_t count = 7 * 8 * 9;
+  for (const std::string suffix : {".mha", ".nrrd", ".nii.gz"})
+  {
+    const std::string out = folder.path("out" + suffix);
+    ASSERT_EQ(runProgram({"field", in, "-o", out, "--like", like}).status, 0);
+    float w = 0;
+    std::string voxels = voxelsOf(out, count * sizeof w);
+    ASSERT_EQ(voxels.size(), count * sizeof w);
+    std::memcpy(&w, voxels.data() + count / 2 * sizeof w, sizeof w);
+    EXPECT_EQ(w, 1) << "in the middle";
+    ASSERT_EQ(runProgram({"field", in, "-o", out, "--like", like, "--double"}).status, 0);
+    double wide = 0;
+    voxels = voxelsOf(out, count * sizeof wide);
+    std::memcpy(&wide, voxels.data() + count / 2 * sizeof wide, sizeof wide);
+    EXPECT_EQ(wide, 1);
+    ASSERT_EQ(runProgram({"labels", in, "-o", out, "--like", like}).status, 0);
+    unsigned short label = 0;
+    voxels = voxelsOf(out, count * sizeof label);
+    std::memcpy(&label, voxels.data() + count / 2 * sizeof label, sizeof label);
+    EXPECT_EQ(label, 1);
+  }
+}
+
+TEST(Like, HeadersOfItsOwnOutputsComeBack)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere()));
+  const std::string first = folder.path("first.nii"), second = folder.path("second.nii");
+  ASSERT_EQ(runProgram({"voxels", in, "-o", first, "--resolution", "9"}).status, 0);
+  ASSERT_EQ(runProgram({"voxels", in, "-o", second, "--like", first}).status, 0);
+  EXPECT_EQ(contentsOf(first), contentsOf(second));
+}
+
+TEST(Like, PiecesAndSurfacesLieOnIt)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere()));
+  const std::string like = folder.write("head.mha", asMetaImage());
+  const std::string vti = folder.path("a.vti"), pieces = folder.path("b.vti");
+  ASSERT_EQ(runProgram({"field", in, "-o", vti, "--like", like}).status, 0);
+  ASSERT_EQ(runProgram({"field", in, "-o", pieces, "--like", like, "--pieces", "3"}).status, 0);
+  vtkNew<vtkXMLImageDataReader> whole, inPieces;
+  whole->SetFileName(vti.c_str());
+  whole->Update();
+  inPieces->SetFileName(pieces.c_str());
+  inPieces->Update();
+  expectPlace(whole->GetOutput(), false, 1e-12);
+  expectPlace(inPieces->GetOutput(), false, 1e-12);
+  vtkDataArray* const a = whole->GetOutput()->GetPointData()->GetArray("WindingNumber");
+  vtkDataArray* const b = inPieces->GetOutput()->GetPointData()->GetArray("WindingNumber");
+  ASSERT_EQ(a->GetNumberOfTuples(), b->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < a->GetNumberOfTuples(); ++i)
+  {
+    ASSERT_EQ(a->GetTuple1(i), b->GetTuple1(i));
+  }
+  const std::string surface = folder.path("c.vtp");
+  ASSERT_EQ(runProgram({"voxels", in, "-o", surface, "--like", like}).status, 0);
+  const Outcome check = runProgram({"check", surface, "--json"});
+  EXPECT_EQ(check.json()["closed"], true);
+  EXPECT_NEAR(check.json()["volume"], 4.1, 0.4) << "outward, though an axis is mirrored";
+}
+
+TEST(Like, IsReported)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere()));
+  const std::string like = folder.write("head.mha", asMetaImage());
+  const Outcome run =
+    runProgram({"field", in, "-o", folder.path("a.vti"), "--like", like, "--json"});
+  const nlohmann::json grid = run.json()["grid"];
+  EXPECT_EQ(grid["dimensions"], nlohmann::json({7, 8, 9}));
+  EXPECT_EQ(grid["like"], like);
+  EXPECT_EQ(grid["space"], "left-posterior-superior");
+  EXPECT_NEAR(grid["origin"][0], voxelOfHead({0, 0, 0})[0], 1e-12);
+  EXPECT_EQ(grid["directions"].size(), 9u);
+}
+
+TEST(Like, WhatMakesNoSenseIsRefused)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1)));
+  const std::string like = folder.write("head.mha", asMetaImage());
+  const auto refuses = [&](std::vector<std::string> arguments, int status, const std::string& words)
+  {
+    const Outcome run = runProgram(arguments);
+    EXPECT_EQ(run.status, status) << words;
+    EXPECT_TRUE(run.saysInOneLine({words})) << words << "\n" << run;
+  };
+  const std::string vti = folder.path("out.vti"), mha = folder.path("out.mha");
+  refuses({"field", in, "-o", vti, "--like", like, "--resolution", "3"}, 1, "excludes");
+  refuses({"field", in, "-o", folder.path("out.htg"), "--like", like}, 1, ".htg holds none");
+  refuses({"voxels", in, "-o", folder.path("out.htg"), "--like", like}, 1, ".htg holds none");
+  refuses(
+    {"field", in, "-o", folder.path("out.pvti"), "--like", like}, 2, "would lose the directions");
+  refuses({"field", in, "-o", vti, "--like", in}, 2, "is no image to lie on");
+  refuses({"field", in, "-o", vti, "--like", folder.path("none.nii")}, 2, "no such file");
+  refuses({"field", in, "-o", like, "--like", like}, 2, "the input");
+  refuses({"field", in, "-o", mha, "--distance"}, 1, "--distance adds an array");
+  refuses({"field", in, "-o", mha, "--inside"}, 1, "--inside adds an array");
+  refuses({"field", in, "-o", mha, "--cells"}, 1, "--cells");
+  refuses({"field", in, "-o", mha, "--pieces", "2"}, 1, "--pieces");
+  refuses({"labels", in, "-o", mha, "--count"}, 1, "--count adds an array");
+  refuses({"surface", in, "-o", mha}, 1, ".stl");
+  std::string askew = asMetaImage();
+  const std::string key = "TransformMatrix = ";
+  askew.replace(askew.find(key), key.size(), key + "1 0.1 0 0 1 0 0 0 1\nx = ");
+  refuses(
+    {"field", in, "-o", vti, "--like", folder.write("askew.mha", askew)}, 2, "not at right angles");
+  refuses({"voxels", in, "-o", folder.path("out.nii"), "--dims", "40000", "1", "1", "--quiet"}, 2,
+    "cannot hold 40000 voxels along an axis");
+}
+
+} // namespace
