@@ -65,7 +65,7 @@ TEST(Tolerances, AreKeptAtEveryMagnitude)
   shapes::Random random(seed + 2);
   for (int i = 0; i < 500; ++i)
   {
-    samples.emplace_back(random(-4, 4), random(-4, 4), random(-4, 4));
+    samples.push_back(random.point(-4, 4));
   }
   struct Magnitude
   {

@@ -12,7 +12,8 @@
 /**
  * @file
  * Random points, clouds, and values at points. Random numbers come from a seed and are the same
- * with every standard library.
+ * with every standard library. Several in one list of arguments are in braces, which fix their
+ * order for every compiler.
  */
 namespace shapes
 {

@@ -233,7 +233,7 @@ ExactCosts measureExactCosts(const winding::FarFieldSources& sources, bool watch
   Random random;
   for (std::size_t i = 0; i < block.count; ++i)
   {
-    const Eigen::Vector3d place(random(0, 1), random(0, 1), random(0, 1));
+    const Eigen::Vector3d place{random(0, 1), random(0, 1), random(0, 1)};
     block.set(i, bounds.min() + place.cwiseProduct(bounds.sizes()));
   }
   double values[SampleBlock::capacity];

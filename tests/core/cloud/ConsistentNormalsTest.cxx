@@ -58,7 +58,7 @@ void addBox(Scan& scan, std::size_t count, const Point& low, const Point& high, 
     const double choice = random(0, all);
     const int axis = choice < areas[0] ? 0 : choice < areas[0] + areas[1] ? 1 : 2;
     const bool isHigh = random(0, 1) < 0.5;
-    Point position(random(low[0], high[0]), random(low[1], high[1]), random(low[2], high[2]));
+    Point position{random(low[0], high[0]), random(low[1], high[1]), random(low[2], high[2])};
     position[axis] = isHigh ? high[axis] : low[axis];
     scan.positions.push_back(position);
     scan.normals.push_back((isHigh ? 1 : -1) * Point::Unit(axis));
@@ -348,7 +348,7 @@ TEST(NormalsToTurn, DoNotDependOnTheOrderOfPointsAtOnePlace)
   const std::size_t once = scan.positions.size();
   for (std::size_t i = 0; i < once; i += 3)
   {
-    const Point aside(random(-0.3, 0.3), random(-0.3, 0.3), random(-0.3, 0.3));
+    const Point aside = random.point(-0.3, 0.3);
     scan.positions.push_back(scan.positions[i]);
     scan.normals.push_back((random(0, 1) < 0.5 ? -1 : 1) * (scan.normals[i] + aside).normalized());
   }

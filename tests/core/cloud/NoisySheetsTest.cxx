@@ -40,7 +40,7 @@ protected:
     for (std::size_t i = 0; i < sheets * perSheet; ++i)
     {
       const double height = apart * static_cast<double>(i % sheets) + 0.5 * random.normal();
-      positions.emplace_back(random(0, size), random(0, size), height);
+      positions.push_back(Point{random(0, size), random(0, size), height});
     }
     return positions;
   }

@@ -51,7 +51,7 @@ void addBox(Cloud& cloud, std::size_t count, const Point& low, const Point& high
     const double choice = random(0, areas[0] + areas[1] + areas[2]);
     const int axis = choice < areas[0] ? 0 : choice < areas[0] + areas[1] ? 1 : 2;
     const bool isHigh = random(0, 1) < 0.5;
-    Point position(random(low[0], high[0]), random(low[1], high[1]), random(low[2], high[2]));
+    Point position{random(low[0], high[0]), random(low[1], high[1]), random(low[2], high[2])};
     position[axis] = isHigh ? high[axis] : low[axis];
     cloud.positions.push_back(position);
     cloud.normals.push_back((isHigh ? 1 : -1) * Point::Unit(axis));
@@ -257,7 +257,7 @@ TEST(OverlappingNormals, OfNoisyPointsAreThoseOfSomeThatAreMovedOntoPlanes)
   Random random(346);
   for (Point& position : cloud.positions)
   {
-    position += 0.04 * Point(random.normal(), random.normal(), random.normal());
+    position += 0.04 * Point{random.normal(), random.normal(), random.normal()};
   }
   const double tree = rightShare(cloud, NormalEstimation::spanningTree);
   const double consistent = rightShare(cloud, NormalEstimation::consistent);

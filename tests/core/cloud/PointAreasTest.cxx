@@ -76,8 +76,8 @@ Cloud lattice(int side, double shift, unsigned seed)
   Cloud cloud;
   for (int i = 0; i < side * side; ++i)
   {
-    cloud.positions.emplace_back(
-      i % side + random(-shift, shift), i / side + random(-shift, shift), 0);
+    cloud.positions.push_back(
+      Point{i % side + random(-shift, shift), i / side + random(-shift, shift), 0});
   }
   cloud.normals.assign(cloud.positions.size(), Point(0, 0, 1));
   return cloud;

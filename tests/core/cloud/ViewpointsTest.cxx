@@ -41,8 +41,8 @@ void addRectangle(Cloud& cloud, const Point& corner, const Point& a, const Point
 {
   for (int i = 0; i < count; ++i)
   {
-    cloud.positions.push_back(
-      corner + random(0, 1) * a + random(0, 1) * b + random(-0.01, 0.01) * normal);
+    const Point at{random(0, 1), random(0, 1), random(-0.01, 0.01)};
+    cloud.positions.push_back(corner + at[0] * a + at[1] * b + at[2] * normal);
     cloud.normals.push_back(normal);
   }
 }
@@ -55,7 +55,7 @@ Cloud houseFromTheAir()
   const double size = 12;
   for (int i = 0; i < 6000; ++i)
   {
-    const Point at(random(-size, size), random(-size, size), random(-0.01, 0.01));
+    const Point at{random(-size, size), random(-size, size), random(-0.01, 0.01)};
     if (std::abs(at[0]) > 2 || std::abs(at[1]) > 2)
     {
       cloud.positions.push_back(at);

@@ -262,7 +262,7 @@ TEST(CappedSurface, EqualsTheDirectSumBesideCapsOfAnyDirection)
     winding::SerialExecutor serial;
     const CappedSurface capped(surface, boundaryOf(surface), 0, serial);
     // The middle sample of the grid is a point of the missing face.
-    const Point on = turn * Point(random(0.1, 0.9), random(0.1, 0.9), 1) + away;
+    const Point on = turn * Point{random(0.1, 0.9), random(0.1, 0.9), 1} + away;
     const Grid grid = gridOf(on - Point::Constant(0.0625), Point::Constant(0.0625), {3, 3, 3});
     const std::vector<double> values = valuesOn(capped, grid, grid.wholeExtent());
     for (std::size_t n = 0; n < values.size(); ++n)

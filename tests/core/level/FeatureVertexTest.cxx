@@ -97,7 +97,7 @@ TEST(FeatureVertex, IsTheBestPointOfTheCellWhereThePlanesMeetOutside)
   Random random(3);
   for (int n = 0; n < 2000; ++n)
   {
-    const Point size(1, random(0.3, 1), random(0.1, 1));
+    const Point size{1, random(0.3, 1), random(0.1, 1)};
     const auto crossings = crossingsOf({random.direction(), random.direction(), random.direction()},
       random.point(-3, 4).cwiseProduct(size), random);
     const auto error = [&crossings](const Point& point)

@@ -108,8 +108,8 @@ TEST(RayParity, IsRightBesideTrianglesThatAreAlongTheRayUpToRounding)
   {
     // Triangle a b c lies along the ray but for the rounding of its corners, and the sample lies in
     // its plane, up to rounding, in front of it or behind it and far from the solid.
-    const Point a = Point(0, random(-1, 1), random(-1, 1));
-    const Point along = Point(0, random(-1, 1), random(-1, 1));
+    const Point a = Point{0, random(-1, 1), random(-1, 1)};
+    const Point along = Point{0, random(-1, 1), random(-1, 1)};
     const Point ray = Point::UnitX();
     const Point b = a + along + ray, c = a + 2 * along;
     const Point d = a + Point(0.5, -along[2], along[1]);
