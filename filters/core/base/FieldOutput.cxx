@@ -49,6 +49,26 @@ SideCounts FieldOutput::countSides(const Real* from, std::size_t count) const
 template <class Real>
 void FieldOutput::write(const Real* from, std::size_t first, std::size_t count) const
 {
+  if (this->added == 0)
+  {
+    this->writeSummed(from, first, count);
+    return;
+  }
+  constexpr std::size_t valuesPerBlock = 256;
+  Real sums[valuesPerBlock];
+  for (std::size_t done = 0; done < count; done += valuesPerBlock)
+  {
+    const std::size_t block = std::min(valuesPerBlock, count - done);
+    std::transform(from + done, from + done + block, sums,
+      [this](Real value) { return static_cast<Real>(value + this->added); });
+    this->writeSummed(sums, first + done, block);
+  }
+}
+
+/// Writes values to which nothing needs to be added.
+template <class Real>
+void FieldOutput::writeSummed(const Real* from, std::size_t first, std::size_t count) const
+{
   if (this->values)
   {
     std::transform(
@@ -79,8 +99,9 @@ void FieldOutput::write(const Real* from, std::size_t first, std::size_t count) 
 template void FieldOutput::write(const float*, std::size_t, std::size_t) const;
 template void FieldOutput::write(const double*, std::size_t, std::size_t) const;
 
-void FieldOutput::fill(double value, std::size_t first, std::size_t count) const
+void FieldOutput::fill(double sum, std::size_t first, std::size_t count) const
 {
+  const double value = sum + this->added;
   if (this->values)
   {
     std::fill_n(this->values + first, count, stored<float>(value));

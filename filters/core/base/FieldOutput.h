@@ -21,6 +21,8 @@ struct FieldOutput
   unsigned char* inside = nullptr;
   InsideRule rule = InsideRule::signedThreshold;
   double threshold = 0.5;
+  /// A number to be added to all values, before anything is decided on them.
+  double added = 0;
   /// Adds up the samples that are written, by w as the array stores it, and by the rule.
   SideTally* sides = nullptr;
 
@@ -42,12 +44,14 @@ struct FieldOutput
   void askFor(std::size_t sample) const;
 
   /// Writes one value to all of samples first … first + count − 1.
-  void fill(double value, std::size_t first, std::size_t count) const;
+  void fill(double sum, std::size_t first, std::size_t count) const;
 
   /// Writes the distance of a sample, whose value or side has been written.
   void writeDistance(double distance, std::size_t sample) const;
 
 private:
+  template <class Real>
+  void writeSummed(const Real* from, std::size_t first, std::size_t count) const;
   template <InsideRule Rule, class Real>
   SideCounts countSides(const Real* from, std::size_t count) const;
   double kept(double value) const;

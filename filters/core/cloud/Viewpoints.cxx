@@ -1,5 +1,6 @@
 #include "cloud/Viewpoints.h"
 
+#include "base/Directions.h"
 #include "base/Progress.h"
 #include "base/Refusal.h"
 #include "cloud/NormalEstimation.h"
@@ -9,9 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <iterator>
-#include <locale>
 #include <sstream>
 #include <utility>
 
@@ -21,34 +19,6 @@ namespace winding
 namespace
 {
 
-/// Numbers in a text, with blanks or commas between them; none where there is anything else.
-std::vector<double> numbersIn(std::string text)
-{
-  std::replace(text.begin(), text.end(), ',', ' ');
-  std::istringstream words(text);
-  words.imbue(std::locale::classic());
-  std::vector<double> numbers;
-  double number = 0;
-  while (words >> number)
-  {
-    numbers.push_back(number);
-  }
-  const bool isRight = words.eof() && std::all_of(numbers.begin(), numbers.end(),
-                                        [](double value) { return std::isfinite(value); });
-  return isRight ? numbers : std::vector<double>();
-}
-
-/// Returns the direction that a word stands for; 0 where it is none.
-Eigen::Vector3d directionOf(const std::string& word)
-{
-  const std::pair<const char*, Eigen::Vector3d> words[] = {{"up", {0, 0, 1}}, {"down", {0, 0, -1}},
-    {"+x", {1, 0, 0}}, {"-x", {-1, 0, 0}}, {"+y", {0, 1, 0}}, {"-y", {0, -1, 0}}, {"+z", {0, 0, 1}},
-    {"-z", {0, 0, -1}}};
-  const auto* const found = std::find_if(std::begin(words), std::end(words),
-    [&word](const auto& candidate) { return candidate.first == word; });
-  return found == std::end(words) ? Eigen::Vector3d(0, 0, 0) : found->second;
-}
-
 [[noreturn]] void refuse()
 {
   Message message(Parameter::toward, "is no position and no direction");
@@ -56,42 +26,17 @@ Eigen::Vector3d directionOf(const std::string& word)
   throw Refusal(std::move(message));
 }
 
-Eigen::Vector3d unitOrZero(const Eigen::Vector3d& vector)
-{
-  const double length = vector.stableNorm();
-  return length > 0 && std::isfinite(length) ? Eigen::Vector3d(vector / length)
-                                             : Eigen::Vector3d(0, 0, 0);
-}
-
 } // namespace
 
 Viewpoints::Viewpoints(const std::string& text)
 {
-  const std::string blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string::npos)
-  {
-    return;
-  }
-  const std::string word = text.substr(first, text.find_last_not_of(blanks) + 1 - first);
-  const std::string direction = "direction ";
-  direction_ = directionOf(word);
+  const std::string words = trimmed(text);
+  direction_ = directionIn(words);
   if (!direction_.isZero())
   {
     return;
   }
-  if (word.rfind(direction, 0) == 0)
-  {
-    const std::vector<double> numbers = numbersIn(word.substr(direction.size()));
-    direction_ = numbers.size() == 3 ? unitOrZero({numbers[0], numbers[1], numbers[2]})
-                                     : Eigen::Vector3d(0, 0, 0);
-    if (direction_.isZero())
-    {
-      refuse();
-    }
-    return;
-  }
-  std::istringstream positions(word);
+  std::istringstream positions(words);
   for (std::string position; std::getline(positions, position, ';');)
   {
     const std::vector<double> numbers = numbersIn(position);
@@ -106,12 +51,6 @@ Viewpoints::Viewpoints(const std::string& text)
 std::string Viewpoints::textAlong(
   const Eigen::Matrix3d& inverseAxes, const Eigen::Vector3d& origin) const
 {
-  const auto textOf = [](const Eigen::Vector3d& vector)
-  {
-    char text[100];
-    std::snprintf(text, sizeof text, "%.17g %.17g %.17g", vector[0], vector[1], vector[2]);
-    return std::string(text);
-  };
   if (!direction_.isZero())
   {
     return "direction " + textOf(inverseAxes * direction_);

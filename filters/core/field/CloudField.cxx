@@ -10,6 +10,7 @@
 #include "source/Sanitize.h"
 #include "source/UnitNormal.h"
 #include "sums/ReferenceSum.h"
+#include "surface/Mirror.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,7 @@ CloudField::CloudField(
       Message(std::string(nameOf(options.method)) + " needs triangles, not a point cloud",
         {{"", {{Parameter::method, static_cast<int>(Method::automatic)}}}}));
   }
+  Mirror(options.mirror).addTo(cloud_);
   info_.isSurface = false;
   info_.inputPrimitives = cloud_.inputPoints;
   info_.primitives = cloud_.positions.size();
@@ -45,12 +47,27 @@ CloudField::CloudField(
       " with normals of length 0, " + std::to_string(cloud_.badAreaPoints) +
       " with negative areas)");
   }
-  if (options.orientFaces || options.ignoreOpenParts)
+  std::vector<Setting> ofFaces;
+  if (options.orientFaces)
   {
-    const Parameter asked =
-      options.orientFaces ? Parameter::orientFaces : Parameter::ignoreOpenParts;
-    info_.warnings.emplace_back(
-      "points have no faces to turn or leave out", std::vector<Remedy>{{"", {{asked, 0}}}});
+    ofFaces.emplace_back(Parameter::orientFaces, 0);
+  }
+  if (options.ignoreOpenParts)
+  {
+    ofFaces.emplace_back(Parameter::ignoreOpenParts, 0);
+  }
+  if (!options.flatBase.empty())
+  {
+    ofFaces.emplace_back(Parameter::flatBase);
+  }
+  if (!options.sheetSide.empty())
+  {
+    ofFaces.emplace_back(Parameter::sheetSide);
+  }
+  if (!ofFaces.empty())
+  {
+    info_.warnings.emplace_back("points have no faces to turn, close or leave out",
+      std::vector<Remedy>{{"do without", {ofFaces.front()}}});
   }
   if (options.neighbors < 3)
   {

@@ -167,12 +167,13 @@ template <class EvaluateValues, class EvaluateDistances>
 void Field::evaluateBoth(std::size_t samples, const FieldOutput& output, Executor& executor,
   const EvaluateValues& evaluateValues, const EvaluateDistances& evaluateDistances) const
 {
+  FieldOutput signedOutput = output;
+  signedOutput.added = this->info().added;
   if (!output.hasDistances())
   {
-    evaluateValues(output);
+    evaluateValues(signedOutput);
     return;
   }
-  FieldOutput signedOutput = output;
   std::vector<unsigned char> inside;
   if (!output.values && !output.doubleValues && !output.inside)
   {

@@ -76,6 +76,12 @@ struct FieldOptions
   bool orientFaces = false;
   /// Whether open parts inside of closed ones are left out (OpenParts.h), after that.
   bool ignoreOpenParts = false;
+  /// The planes of symmetry of which the source is one side (Mirror.h). Empty: none.
+  std::string mirror;
+  /// The base that closes a surface that is open on one side (FlatBase.h). Empty: none.
+  std::string flatBase;
+  /// The direction of the side of open sheets that is inside (SheetSide.h). Empty: none.
+  std::string sheetSide;
   /// Whether scattered samples will be asked for rather than grids: methods that share work along
   /// the rows of a grid are no use then.
   bool scattered = false;
@@ -87,6 +93,7 @@ struct FieldOptions
            toward == other.toward && pointAreaMethod == other.pointAreaMethod &&
            neighbors == other.neighbors && regularization == other.regularization &&
            orientFaces == other.orientFaces && ignoreOpenParts == other.ignoreOpenParts &&
+           mirror == other.mirror && flatBase == other.flatBase && sheetSide == other.sheetSide &&
            scattered == other.scattered;
   }
 };
@@ -107,6 +114,10 @@ struct FieldInfo
   /// they are too many: then they are not made.
   std::size_t capTriangles = 0;
   Openings openings; ///< of a surface
+  /// The number that values have in addition to the sum: ½ for sheets that divide space, which a
+  /// half sphere at infinity closes (SheetSide.h).
+  double added = 0;
+  double sheetHeight = 0; ///< coordinate of the middle of such sheets along the side that is inside
   /// Whether no side is inside, which a warning says: all faces are there in both senses, or all
   /// normals are equal.
   bool hasNoSides = false;

@@ -14,4 +14,25 @@ inline double volumeOf(const Field& field)
                            : 0;
 }
 
+/// The size of a solid, by which nested ones are told from each other. Sheets that divide space
+/// (SheetSide.h) are larger than all solids that end; of two, the one farther to its side is the
+/// smaller.
+struct SolidSize
+{
+  bool isEndless = false;
+  double amount = 0; ///< the volume, or minus the height of the sheet along its side
+
+  bool operator<(const SolidSize& other) const
+  {
+    return isEndless != other.isEndless ? other.isEndless : amount < other.amount;
+  }
+};
+
+inline SolidSize sizeOf(const Field& field)
+{
+  const FieldInfo& info = field.info();
+  const bool isEndless = info.added != 0;
+  return {isEndless, isEndless ? -info.sheetHeight : volumeOf(field)};
+}
+
 } // namespace winding

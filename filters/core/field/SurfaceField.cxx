@@ -13,9 +13,12 @@
 #include "sums/DirectSum.h"
 #include "sums/ReferenceSum.h"
 #include "surface/Components.h"
+#include "surface/FlatBase.h"
+#include "surface/Mirror.h"
 #include "surface/OpenParts.h"
 #include "surface/Orientation.h"
 #include "surface/RepeatedFaces.h"
+#include "surface/SheetSide.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,11 +51,7 @@ SurfaceField::SurfaceField(
   const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)
   : surface_(sanitize(views, executor))
 {
-  if (options.orientFaces)
-  {
-    const PolygonParts parts = polygonPartsOf(views);
-    apply(orient(surface_, edgesOf(surface_, executor), parts, executor), surface_);
-  }
+  this->complete(views, options, executor);
   if (options.ignoreOpenParts)
   {
     leaveOut(surface_, openPartsInside(surface_, edgesOf(surface_, executor), executor).isInside);
@@ -88,7 +87,7 @@ SurfaceField::SurfaceField(
   }
   this->warnOfContradictions(edgesOnce);
   this->warnOfOpenParts(chain, edgesOnce, executor);
-  if (!chain.edges.empty())
+  if (!chain.edges.empty() && info_.added == 0)
   {
     info_.openings = openingsOf(chain.edges, surface_, this->area());
   }
@@ -97,6 +96,57 @@ SurfaceField::SurfaceField(
 }
 
 SurfaceField::~SurfaceField() = default;
+
+/// Adds what the surface lacks by its owner's word, and turns its faces.
+void SurfaceField::complete(
+  const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)
+{
+  const Mirror mirror(options.mirror);
+  const FlatBase base(options.flatBase);
+  const Eigen::Vector3d side = sheetSideIn(options.sheetSide);
+  PolygonParts parts =
+    options.orientFaces || !side.isZero() ? polygonPartsOf(views) : PolygonParts();
+  mirror.addTo(surface_, parts);
+  const auto orientNow = [&]
+  {
+    const Orientation found = orient(surface_, edgesOf(surface_, executor), parts, executor);
+    apply(found, surface_);
+    if (!found.isLeftOut.empty())
+    {
+      parts.clear();
+    }
+  };
+  if (options.orientFaces)
+  {
+    orientNow();
+  }
+  if (!base.isNone())
+  {
+    const BasedOpenings openings = base.addTo(surface_, executor);
+    parts.resize(parts.empty() ? 0 : surface_.triangles.size(), 0);
+    if (options.orientFaces)
+    {
+      orientNow(); // the base decides where the outside is
+    }
+    if (openings.closed == 0)
+    {
+      Message message(Parameter::flatBase, "closes nothing: no opening faces it");
+      message.facts = std::to_string(openings.left) + " openings do not";
+      info_.warnings.push_back(std::move(message));
+    }
+  }
+  if (!side.isZero())
+  {
+    const Sheets sheets = turnSheets(surface_, parts, side, executor);
+    constexpr double ofHalfSphere = 0.5;
+    info_.added = sheets.count > 0 ? ofHalfSphere : 0;
+    info_.sheetHeight = sheets.height;
+    if (sheets.count == 0)
+    {
+      info_.warnings.emplace_back(Message(Parameter::sheetSide, "has no use: no part is open"));
+    }
+  }
+}
 
 /// Makes the surface that is summed another one, where triangles are equal to each other.
 void SurfaceField::takeEqualTogether(const std::vector<std::int32_t>& crowdedVertices)
@@ -492,7 +542,7 @@ std::unique_ptr<const DistanceTree> SurfaceField::makeDistanceTree(Executor& exe
 
 double SurfaceField::reference(const Eigen::Vector3d& sample) const
 {
-  return referenceSum<double>(surface_, sample);
+  return referenceSum<double>(surface_, sample) + info_.added;
 }
 
 double SurfaceField::jumpWithin(const Eigen::Vector3d& sample, double distance) const

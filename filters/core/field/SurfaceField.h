@@ -50,6 +50,8 @@ protected:
   const GradientEvaluator& gradientEvaluator() const override { return *boundaryGradient_; }
 
 private:
+  void complete(
+    const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor);
   void takeEqualTogether(const std::vector<std::int32_t>& crowdedVertices);
 
   /// Gives the edges of the surface, which are found when they are first asked for.

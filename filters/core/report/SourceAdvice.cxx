@@ -28,7 +28,7 @@ Facing facingOf(const Field& field, const SideCounts& sides, InsideRule rule, do
   Executor& executor)
 {
   Facing facing;
-  if (rule != InsideRule::signedThreshold || field.info().hasNoSides)
+  if (rule != InsideRule::signedThreshold || field.info().hasNoSides || field.info().added != 0)
   {
     return facing;
   }

@@ -205,8 +205,8 @@ Message openSideAdvice(const Openings& openings)
       {{"turn its faces", {{Parameter::orientFaces, 1}}}}, facts};
   }
   return {"the surface is open on a whole side",
-    {{"close it by a base or its mirror image", {}},
-      {"take all that its faces look away from", {{Parameter::windingThreshold, 0}}}},
+    {{"close it", {Parameter::flatBase, Parameter::mirror}},
+      {"name the side of the sheet", {Parameter::sheetSide}}},
     facts};
 }
 

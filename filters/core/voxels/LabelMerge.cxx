@@ -73,16 +73,16 @@ LabelMerge::LabelMerge(
   }
 }
 
-void LabelMerge::begin(unsigned short label, double volume, float* shares)
+void LabelMerge::begin(unsigned short label, const SolidSize& size, float* shares)
 {
   label_ = label;
-  volume_ = volume;
+  size_ = size;
   shares_ = shares;
   hasInside_ = false;
   if (rule_ == OverlapRule::smallestVolume)
   {
-    volumes_.resize(std::max<std::size_t>(volumes_.size(), label + std::size_t{1}));
-    volumes_[label] = volume;
+    sizes_.resize(std::max<std::size_t>(sizes_.size(), label + std::size_t{1}));
+    sizes_[label] = size;
   }
 }
 
@@ -152,7 +152,7 @@ bool LabelMerge::addRow(
     bool wins = labels[i] == 0;
     if (rule_ == OverlapRule::smallestVolume)
     {
-      wins = wins || volume_ < volumes_[labels[i]];
+      wins = wins || size_ < sizes_[labels[i]];
     }
     else
     {

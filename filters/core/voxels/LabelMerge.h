@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/FieldVolume.h"
 #include "source/Grid.h"
 
 #include <cstddef>
@@ -57,9 +58,9 @@ public:
   /// counts for largestWindingNumber, and not w itself. Throws Interrupted.
   LabelMerge(const LabelArrays& arrays, OverlapRule rule, bool byMagnitude, Executor& executor);
 
-  /// Begins with another solid. The volume, which is not negative, is for smallestVolume. The array
+  /// Begins with another solid, whose size is for smallestVolume. The array
   /// is for the shares of this solid alone, and null if they are not wanted.
-  void begin(unsigned short label, double volume, float* shares);
+  void begin(unsigned short label, const SolidSize& size, float* shares);
 
   /// Adds voxels of the solid, each of which is added once. Throws Interrupted.
   void add(const SolidVoxels& voxels, Executor& executor);
@@ -75,10 +76,10 @@ private:
   OverlapRule rule_;
   bool byMagnitude_;
   unsigned short label_ = 0;
-  double volume_ = 0;
+  SolidSize size_;
   float* shares_ = nullptr; ///< of this solid alone
   bool hasInside_ = false;
-  std::vector<double> volumes_; ///< by label
+  std::vector<SolidSize> sizes_; ///< by label
 };
 
 } // namespace winding

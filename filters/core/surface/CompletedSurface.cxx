@@ -1,0 +1,28 @@
+#include "surface/CompletedSurface.h"
+
+#include "source/Sanitize.h"
+
+namespace winding
+{
+
+TrianglesView CompletedSurface::view() const
+{
+  const VectorsView points(
+    surface.vertices.empty() ? nullptr : surface.vertices.front().data(), surface.vertices.size());
+  const TriangleIdsView triangles(
+    surface.triangles.empty() ? nullptr : surface.triangles.front().data(),
+    surface.triangles.size());
+  return {points, triangles, parts.empty() ? nullptr : parts.data()};
+}
+
+CompletedSurface completedSurface(const std::vector<TrianglesView>& views, const Mirror& mirror,
+  const FlatBase& base, Executor& executor)
+{
+  CompletedSurface result{sanitize(views, executor), polygonPartsOf(views)};
+  mirror.addTo(result.surface, result.parts);
+  base.addTo(result.surface, executor);
+  result.parts.resize(result.parts.empty() ? 0 : result.surface.triangles.size(), 0);
+  return result;
+}
+
+} // namespace winding

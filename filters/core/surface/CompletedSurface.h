@@ -1,0 +1,28 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "base/Views.h"
+#include "source/Surface.h"
+#include "surface/FlatBase.h"
+#include "surface/Mirror.h"
+
+#include <vector>
+
+namespace winding
+{
+
+/// A surface with its mirror images and its base, as a field has it that is told of both.
+struct CompletedSurface
+{
+  Surface surface;
+  PolygonParts parts;
+
+  /// A view of it, which is valid as long as this object stays where it is.
+  TrianglesView view() const;
+};
+
+/// Completes the surface that views make. Throws Refusal as sanitize() does, and Interrupted.
+CompletedSurface completedSurface(const std::vector<TrianglesView>& views, const Mirror& mirror,
+  const FlatBase& base, Executor& executor);
+
+} // namespace winding

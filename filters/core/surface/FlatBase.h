@@ -1,0 +1,55 @@
+#pragma once
+
+#include "base/Executor.h"
+#include "source/Plane.h"
+#include "source/Surface.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace winding
+{
+
+/// The openings that a base has closed, and those it has left.
+struct BasedOpenings
+{
+  std::size_t closed = 0;
+  std::size_t left = 0;
+};
+
+/**
+ * A flat base for surfaces that are open on one side, as scans and terrain are. Walls go from the
+ * rim to the base, at right angles to it, and a plane closes them (PlaneCap.h).
+ *
+ * Openings are closed that face the base: the vector area of their lid (½ ∑ p × q) is within 60° of
+ * its normal, and a tenth or more of the largest one's. So holes in a roof, or beneath a chin, stay
+ * what they are. Rims that lie in the base, up to a millionth of the bounds, are closed, too.
+ */
+class FlatBase
+{
+public:
+  /// Takes a plane as planesIn() does, or a direction as directionIn() does, in which the base
+  /// touches the surface from outside. Throws Refusal for other texts; an empty one is no base.
+  explicit FlatBase(const std::string& text);
+
+  bool isNone() const { return !plane_ && direction_.isZero(); }
+
+  /// Returns bounds that are large enough for a surface with these bounds and its base.
+  Bounds completed(const Bounds& bounds) const;
+
+  /// Adds walls and base behind a surface's triangles. Throws Interrupted.
+  BasedOpenings addTo(Surface& surface, Executor& executor) const;
+
+  /// Returns the text of the same base in coordinates that begin at `origin`, along axes at right
+  /// angles with this inverse.
+  std::string along(const Eigen::Matrix3d& inverseAxes, const Eigen::Vector3d& origin) const;
+
+private:
+  Plane planeBelow(const std::vector<Eigen::Vector3d>& positions) const;
+
+  std::optional<Plane> plane_;
+  Eigen::Vector3d direction_ = Eigen::Vector3d::Zero();
+};
+
+} // namespace winding

@@ -1,0 +1,143 @@
+#include "surface/Mirror.h"
+
+#include "base/Refusal.h"
+#include "surface/RepeatedFaces.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Returns bounds with their image at a plane.
+Bounds withImage(Bounds bounds, const Plane& plane)
+{
+  for (const Eigen::Vector3d& corner : cornersOf(bounds))
+  {
+    bounds.extend(plane.mirrored(corner));
+  }
+  return bounds;
+}
+
+/// Returns the distance from a plane within which positions are their own images.
+double reachOf(const Bounds& bounds)
+{
+  constexpr double share = 1e-6;
+  return bounds.isEmpty() ? 0 : share * bounds.sizes().maxCoeff();
+}
+
+void addImage(const Plane& plane, Surface& surface, PolygonParts& parts)
+{
+  const double reach = reachOf(surface.bounds);
+  const Bounds bounds = withImage(surface.bounds, plane);
+  std::vector<char> isLeftOut;
+  const std::size_t vertices = surface.vertices.size(), triangles = surface.triangles.size();
+  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
+  if (vertices > most / 2 || triangles > most / 2)
+  {
+    throw Refusal("the source has too many triangles to be mirrored: 2^31 - 1 at most");
+  }
+  std::vector<std::int32_t> images(vertices);
+  for (std::size_t i = 0; i < vertices; ++i)
+  {
+    const Eigen::Vector3d vertex = surface.vertices[i];
+    const bool isInPlane = std::abs(plane.height(vertex)) <= reach;
+    images[i] = static_cast<std::int32_t>(isInPlane ? i : surface.vertices.size());
+    if (!isInPlane)
+    {
+      surface.vertices.push_back(plane.mirrored(vertex));
+    }
+  }
+  for (std::size_t i = 0; i < triangles; ++i)
+  {
+    const Triangle t = surface.triangles[i];
+    const Triangle image = {images[t[0]], images[t[2]], images[t[1]]};
+    isLeftOut.push_back(
+      static_cast<char>(image[0] == t[0] && image[1] == t[2] && image[2] == t[1]));
+    surface.triangles.push_back(image);
+  }
+  isLeftOut.insert(isLeftOut.end(), isLeftOut.begin(), isLeftOut.end());
+  if (!parts.empty())
+  {
+    parts.insert(parts.end(), parts.begin(), parts.end());
+    PolygonParts kept;
+    std::size_t polygon = 0, lastKept = 0; // numbers from 1
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      polygon += parts[i] ? 0 : 1;
+      if (!isLeftOut[i])
+      {
+        kept.push_back(static_cast<char>(polygon == lastKept));
+        lastKept = polygon;
+      }
+    }
+    parts = kept;
+  }
+  leaveOut(surface, isLeftOut);
+  surface.bounds = bounds;
+}
+
+} // namespace
+
+Mirror::Mirror(const std::string& text)
+  : planes_(planesIn(text, Parameter::mirror))
+{
+  constexpr std::size_t most = 3;
+  if (planes_.size() > most)
+  {
+    throw Refusal(Message(Parameter::mirror, "has more than three planes"));
+  }
+}
+
+Bounds Mirror::completed(const Bounds& bounds) const
+{
+  Bounds result = bounds;
+  for (const Plane& plane : planes_)
+  {
+    result = withImage(result, plane);
+  }
+  return result;
+}
+
+void Mirror::addTo(Surface& surface, PolygonParts& parts) const
+{
+  for (const Plane& plane : planes_)
+  {
+    addImage(plane, surface, parts);
+  }
+}
+
+void Mirror::addTo(PointCloud& cloud) const
+{
+  for (const Plane& plane : planes_)
+  {
+    const std::size_t points = cloud.positions.size();
+    const bool haveNormals = !cloud.normals.empty(), haveAreas = !cloud.areas.empty();
+    const double reach = reachOf(cloud.bounds);
+    const Plane across = {plane.normal, 0};
+    for (std::size_t i = 0; i < points; ++i)
+    {
+      const Eigen::Vector3d position = cloud.positions[i];
+      if (!haveAreas && std::abs(plane.height(position)) <= reach)
+      {
+        continue;
+      }
+      cloud.positions.push_back(plane.mirrored(position));
+      if (haveNormals)
+      {
+        cloud.normals.push_back(across.mirrored(cloud.normals[i]));
+      }
+      if (haveAreas)
+      {
+        cloud.areas.push_back(cloud.areas[i]);
+      }
+    }
+    cloud.bounds = withImage(cloud.bounds, plane);
+  }
+}
+
+} // namespace winding

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "source/Plane.h"
+#include "source/PointCloud.h"
+#include "source/Surface.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace winding
+{
+
+/**
+ * The planes of symmetry of a source of which a part is given, as half a hull. The source gets its
+ * mirror image at each plane in turn, so that two planes make four of a quarter.
+ *
+ * Vertices within a millionth of the bounds' longest side from a plane are their own images, so
+ * that both halves meet there. Triangles that lie in the plane, as lids of closed halves, would
+ * cancel with their images and are left out.
+ */
+class Mirror
+{
+public:
+  /// Takes planes as planesIn() does. Throws Refusal for other texts, and for more than three.
+  explicit Mirror(const std::string& text);
+
+  bool isNone() const { return planes_.empty(); }
+
+  const std::vector<Plane>& planes() const { return planes_; }
+
+  /// Returns how often the source is there afterwards.
+  std::size_t copies() const { return std::size_t(1) << planes_.size(); }
+
+  /// Returns the bounds of a source with these bounds and its images.
+  Bounds completed(const Bounds& bounds) const;
+
+  /// Adds the images to a surface, behind its triangles, and to the parts of its polygons, which
+  /// may be none. Throws Refusal for more than 2³¹ − 1 triangles or vertices.
+  void addTo(Surface& surface, PolygonParts& parts) const;
+
+  /// Adds the images to a cloud, behind its points. Points in a plane have none, unless they have
+  /// areas, which are of one side then.
+  void addTo(PointCloud& cloud) const;
+
+private:
+  std::vector<Plane> planes_;
+};
+
+} // namespace winding

@@ -1,0 +1,602 @@
+/// What completes a surface or a cloud by its owner's word: planes of symmetry, a flat base, the
+/// side of a sheet, and points that are made one.
+
+#include "base/Refusal.h"
+#include "field/Field.h"
+#include "source/Sanitize.h"
+#include "source/SnappedPoints.h"
+#include "support/Samples.h"
+#include "support/Shapes.h"
+#include "support/ShuffledThreads.h"
+#include "surface/FlatBase.h"
+#include "surface/Mirror.h"
+#include "surface/PlaneCap.h"
+#include "surface/SheetSide.h"
+
+#include <Eigen/Geometry>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace
+{
+
+using namespace shapes;
+using winding::FieldOptions;
+using winding::Surface;
+
+std::shared_ptr<const winding::Field> fieldOf(const Mesh& mesh, const FieldOptions& options)
+{
+  winding::SerialExecutor serial;
+  return winding::Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
+}
+
+std::vector<double> valuesAt(const winding::Field& field, const std::vector<Point>& samples)
+{
+  std::vector<double> values(samples.size());
+  winding::FieldOutput output;
+  output.doubleValues = values.data();
+  winding::SerialExecutor serial;
+  field.evaluate(winding::VectorsView(samples.front().data(), samples.size()), output, serial);
+  return values;
+}
+
+/// The triangles of a mesh whose corners are all where a function says.
+template <class IsKept> Mesh kept(const Mesh& mesh, const IsKept& isKept)
+{
+  Mesh result;
+  result.points = mesh.points;
+  for (const auto& t : mesh.triangles)
+  {
+    if (isKept(mesh.points[t[0]]) && isKept(mesh.points[t[1]]) && isKept(mesh.points[t[2]]))
+    {
+      result.triangles.push_back(t);
+    }
+  }
+  return result;
+}
+
+/// A box of `n` cells along each side, open at z = 1 and at x = 0.
+Mesh quarterBox(int n)
+{
+  Cells cells;
+  for (int i = 0; i < n * n * n; ++i)
+  {
+    cells.insert({i % n, i / n % n, i / n / n});
+  }
+  Mesh box = surfaceOf(cells).mapped([n](const Point& p) -> Point { return p / n; });
+  Mesh open;
+  open.points = box.points;
+  for (const auto& t : box.triangles)
+  {
+    const auto isAt = [&](int axis, double place)
+    {
+      return box.points[t[0]][axis] == place && box.points[t[1]][axis] == place &&
+             box.points[t[2]][axis] == place;
+    };
+    if (!isAt(2, 1) && !isAt(0, 0))
+    {
+      open.triangles.push_back(t);
+    }
+  }
+  return open;
+}
+
+double volumeOf(const Surface& surface)
+{
+  double volume = 0;
+  for (const winding::Triangle& t : surface.triangles)
+  {
+    const Point &a = surface.vertices[t[0]], &b = surface.vertices[t[1]],
+                &c = surface.vertices[t[2]];
+    volume += a.dot(b.cross(c)) / 6;
+  }
+  return volume;
+}
+
+std::size_t netBoundary(const Surface& surface)
+{
+  return boundaryOf(surface).edges.size();
+}
+
+/// Whether every vertex belongs to a triangle, and no two are equal.
+bool isClean(const Surface& surface)
+{
+  const auto isLess = [](const Point& a, const Point& b)
+  {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  };
+  std::set<Point, decltype(isLess)> places(
+    surface.vertices.begin(), surface.vertices.end(), isLess);
+  std::set<std::int32_t> used;
+  for (const winding::Triangle& t : surface.triangles)
+  {
+    used.insert(t.begin(), t.end());
+  }
+  return places.size() == surface.vertices.size() && used.size() == surface.vertices.size();
+}
+
+Surface mirrored(Surface surface, const std::string& planes)
+{
+  winding::PolygonParts parts;
+  winding::Mirror(planes).addTo(surface, parts);
+  return surface;
+}
+
+} // namespace
+
+TEST(Plane, IsReadFromTexts)
+{
+  const auto planes = winding::planesIn("y = 0, x=-2.5; 3 4 0 = 10", winding::Parameter::mirror);
+  ASSERT_EQ(planes.size(), 3u);
+  EXPECT_EQ(planes[0].normal, Point(0, 1, 0));
+  EXPECT_EQ(planes[1].offset, -2.5);
+  EXPECT_NEAR(planes[2].height({0, 0, 7}), -2, 1e-15);
+  EXPECT_EQ(planes[1].projected({0.3, 7, 1}), Point(-2.5, 7, 1));
+  EXPECT_TRUE(winding::planesIn("  ", winding::Parameter::mirror).empty());
+  for (const char* wrong : {"y", "y=", "=0", "w=1", "y=0 z", "0 0 0 = 1", "1 2 = 3", "y=nan",
+         "y=inf", "1e-320 0 0 = 1e300", "y=0=1", "y==0", "1 2 3 4 = 5"})
+  {
+    EXPECT_THROW(winding::planesIn(wrong, winding::Parameter::mirror), winding::Refusal) << wrong;
+  }
+}
+
+TEST(Mirror, MakesTheWholeOfAQuarter)
+{
+  const Surface half = mirrored(clean(quarterBox(3)), "x=0");
+  EXPECT_NEAR(volumeOf(mirrored(half, "z=1")), 4, 1e-13);
+  const Surface whole = mirrored(clean(quarterBox(3)), "x=0 z=1");
+  EXPECT_EQ(netBoundary(whole), 0u);
+  EXPECT_TRUE(isClean(whole));
+  EXPECT_NEAR(volumeOf(whole), 4, 1e-13);
+  EXPECT_EQ(whole.bounds.min(), Point(-1, 0, 0));
+  EXPECT_EQ(whole.bounds.max(), Point(1, 1, 2));
+  EXPECT_EQ(
+    winding::Mirror("x=0 z=1").completed(clean(quarterBox(3)).bounds).max(), whole.bounds.max());
+}
+
+TEST(Mirror, LeavesOutLidsInThePlane)
+{
+  const Surface whole = mirrored(clean(cube()), "z=1");
+  EXPECT_EQ(whole.triangles.size(), 20u);
+  EXPECT_EQ(netBoundary(whole), 0u);
+  EXPECT_TRUE(isClean(whole));
+  EXPECT_NEAR(volumeOf(whole), 2, 1e-15);
+}
+
+TEST(Mirror, JoinsRimsThatMissThePlaneByRounding)
+{
+  Random random(31);
+  const Mesh ragged = quarterBox(4).mapped(
+    [&](const Point& p) -> Point {
+      return p[0] == 0 ? Point{random(-4e-7, 4e-7), p[1], p[2]} : p;
+    });
+  const Surface whole = mirrored(clean(ragged), "x=0; z=1");
+  EXPECT_EQ(netBoundary(whole), 0u);
+  EXPECT_NEAR(volumeOf(whole), 4, 1e-5); // 2e-6
+}
+
+TEST(Mirror, TakesPlanesOfAnyDirection)
+{
+  const Eigen::Matrix3d turn =
+    Eigen::AngleAxisd(0.7, Point(1, 2, 3).normalized()).toRotationMatrix();
+  const Point shift(3, -2, 5), normal = turn * Point(1, 0, 0);
+  const Mesh moved =
+    quarterBox(3).mapped([&](const Point& p) -> Point { return turn * p + shift; });
+  std::ostringstream plane;
+  plane.precision(17);
+  plane << normal.transpose() << " = " << normal.dot(shift);
+  const Surface half = mirrored(clean(moved), plane.str());
+  EXPECT_TRUE(isClean(half));
+  const Surface expected = mirrored(clean(quarterBox(3)), "x=0");
+  EXPECT_EQ(netBoundary(half), netBoundary(expected));
+  EXPECT_EQ(half.vertices.size(), expected.vertices.size());
+}
+
+TEST(Mirror, IsRefusedForMoreThanThreePlanes)
+{
+  EXPECT_NO_THROW(winding::Mirror("x=0 y=0 z=0"));
+  EXPECT_THROW(winding::Mirror("x=0 y=0 z=0 x=1"), winding::Refusal);
+}
+
+TEST(Mirror, GivesCloudsTheirOtherHalf)
+{
+  const Cloud all = sphereCloud(2000);
+  winding::OrientedPointsView view = all.view();
+  Cloud half;
+  for (std::size_t i = 0; i < all.positions.size(); ++i)
+  {
+    if (all.positions[i][1] >= 0)
+    {
+      half.positions.push_back(all.positions[i]);
+      half.normals.push_back(all.normals[i]);
+    }
+  }
+  FieldOptions options;
+  options.mirror = "y=0";
+  winding::SerialExecutor serial;
+  const auto field =
+    winding::Field::build(std::vector<winding::OrientedPointsView>{half.view()}, options, serial);
+  EXPECT_EQ(field->info().primitives, 2 * half.positions.size() - 1) << "one is in the plane";
+  const std::vector<double> values =
+    valuesAt(*field, {{0, 0, 0}, {0, -0.5, 0}, {0, 0.5, 0}, {0, -2, 0}, {0, 2, 0}});
+  EXPECT_NEAR(values[0], 1, 0.01); // 0.9997
+  EXPECT_NEAR(values[1], values[2], 1e-12);
+  EXPECT_NEAR(values[3], 0, 0.01);
+  EXPECT_NEAR(values[3], values[4], 1e-12);
+}
+
+TEST(PlaneCap, HasTheAreaOfItsPolygonsWhateverTheyAre)
+{
+  SCOPED_TRACE("seed 41");
+  Random random(41);
+  for (int trial = 0; trial < 1000; ++trial)
+  {
+    // Stars with holes that are stars, in a plane of any direction.
+    const Point normal = random.direction(), u = normal.unitOrthogonal(), v = normal.cross(u);
+    std::vector<Point> vertices;
+    winding::Rims rims;
+    double expected = 0;
+    const auto addStar = [&](double x, double y, double size, int corners, bool isHole)
+    {
+      std::vector<std::int32_t> rim;
+      std::vector<Eigen::Vector2d> flat;
+      for (int i = 0; i < corners; ++i)
+      {
+        const double angle = 6.283185307179586 * i / corners, radius = random(0.3, 1) * size;
+        flat.emplace_back(x + radius * std::cos(angle), y + radius * std::sin(angle));
+        rim.push_back(static_cast<std::int32_t>(vertices.size()));
+        vertices.push_back(100 * normal + flat.back()[0] * u + flat.back()[1] * v);
+      }
+      double area = 0;
+      for (int i = 0; i < corners; ++i)
+      {
+        const Eigen::Vector2d &a = flat[i], &b = flat[(i + 1) % corners];
+        area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+      }
+      expected += isHole ? -area : area;
+      if (isHole)
+      {
+        std::reverse(rim.begin(), rim.end());
+      }
+      rims.push_back(rim);
+    };
+    addStar(0, 0, 10, 8 + static_cast<int>(random(0, 40)), false);
+    const int holes = static_cast<int>(random(0, 5));
+    for (int i = 0; i < holes; ++i)
+    {
+      const double angle = 6.283185307179586 * i / holes;
+      addStar(1.2 * std::cos(angle), 1.2 * std::sin(angle), holes > 1 ? 0.6 : 1.2,
+        3 + static_cast<int>(random(0, 9)), true);
+    }
+    addStar(25, 3, 4, 5, false); // with no hole
+    if (trial % 2 == 1)
+    {
+      for (std::vector<std::int32_t>& rim : rims)
+      {
+        std::reverse(rim.begin(), rim.end());
+      }
+      expected = -expected;
+    }
+    const winding::TriangleList cap = winding::planeCapOf(rims, vertices, normal);
+    double area = 0, unsignedArea = 0;
+    Surface surface;
+    surface.vertices = vertices;
+    for (const winding::Triangle& t : cap)
+    {
+      const double twice =
+        normal.dot((vertices[t[1]] - vertices[t[0]]).cross(vertices[t[2]] - vertices[t[0]]));
+      area += twice / 2;
+      unsignedArea += std::abs(twice / 2);
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+      {
+        surface.triangles.push_back(t);
+      }
+    }
+    ASSERT_NEAR(area, expected, 1e-9) << trial;
+    // Triangles outside of the polygons would cancel others.
+    ASSERT_NEAR(unsignedArea, std::abs(expected), 1e-9) << trial;
+    std::size_t corners = 0;
+    for (const std::vector<std::int32_t>& rim : rims)
+    {
+      corners += rim.size();
+    }
+    ASSERT_EQ(netBoundary(surface), corners) << trial;
+  }
+}
+
+TEST(PlaneCap, ClosesRimsThatCrossThemselves)
+{
+  SCOPED_TRACE("seed 43");
+  Random random(43);
+  for (int trial = 0; trial < 1000; ++trial)
+  {
+    std::vector<Point> vertices;
+    winding::Rims rims(1 + static_cast<std::size_t>(random(0, 3)));
+    for (std::vector<std::int32_t>& rim : rims)
+    {
+      const int corners = 3 + static_cast<int>(random(0, 12));
+      for (int i = 0; i < corners; ++i)
+      {
+        // On a lattice, so that corners coincide and lie on lines.
+        rim.push_back(static_cast<std::int32_t>(vertices.size()));
+        vertices.emplace_back(Point{std::floor(random(0, 5)), std::floor(random(0, 5)), 0});
+      }
+    }
+    Surface surface;
+    surface.vertices = vertices;
+    for (const winding::Triangle& t : winding::planeCapOf(rims, vertices, {0, 0, 1}))
+    {
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+      {
+        surface.triangles.push_back(t);
+      }
+    }
+    for (const std::vector<std::int32_t>& rim : rims)
+    {
+      for (std::size_t i = 0; i < rim.size(); ++i) // all edges are there, once
+      {
+        const auto& edges = boundaryOf(surface).edges;
+        ASSERT_TRUE(std::any_of(edges.begin(), edges.end(),
+          [&](const winding::BoundaryEdge& edge)
+          { return edge.from == rim[i] && edge.to == rim[(i + 1) % rim.size()]; }))
+          << trial;
+      }
+    }
+  }
+}
+
+TEST(FlatBase, ClosesWhatIsOpenBelowAndLeavesOtherHoles)
+{
+  // A ball without its lower part, and without a triangle at the top and at the side.
+  const Mesh dome = kept(icosphere(4), [](const Point& p) { return p[2] > -0.4; });
+  Mesh holed;
+  holed.points = dome.points;
+  holed.triangles.assign(dome.triangles.begin() + 1, dome.triangles.end());
+  winding::SerialExecutor serial;
+  for (const auto& [text, place] :
+    {std::pair<std::string, double>{"down", -0.4}, {"z=-2", -2}, {"-z", -0.4}})
+  {
+    Surface surface = clean(holed);
+    const Surface before = surface;
+    const winding::BasedOpenings found = winding::FlatBase(text).addTo(surface, serial);
+    EXPECT_EQ(found.closed, 1u) << text;
+    EXPECT_EQ(found.left, 1u) << text;
+    EXPECT_EQ(netBoundary(surface), 3u) << text;
+    EXPECT_TRUE(isClean(surface)) << text;
+    EXPECT_TRUE(
+      std::equal(before.triangles.begin(), before.triangles.end(), surface.triangles.begin()));
+    EXPECT_NEAR(surface.bounds.min()[2], place, 0.06) << text;
+    EXPECT_EQ(winding::FlatBase(text).completed(before.bounds).min(), surface.bounds.min());
+  }
+}
+
+TEST(FlatBase, MakesASolidOfATerrain)
+{
+  // A sheet over a square that looks up or down; z is known.
+  const auto heightAt = [](double x, double y)
+  {
+    return 0.3 * std::sin(3 * x) + 0.2 * std::cos(5 * y);
+  };
+  Mesh terrain;
+  const int n = 40;
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; j <= n; ++j)
+    {
+      const double x = 2.0 * i / n, y = 2.0 * j / n;
+      terrain.points.emplace_back(x, y, heightAt(x, y));
+    }
+  }
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      const int a = i * (n + 1) + j;
+      terrain.triangles.push_back({a, a + n + 1, a + n + 2});
+      terrain.triangles.push_back({a, a + n + 2, a + 1});
+    }
+  }
+  SCOPED_TRACE("seed 47");
+  Random random(47);
+  std::vector<Point> samples;
+  for (int i = 0; i < 2000; ++i)
+  {
+    samples.push_back(Point{random(-0.5, 2.5), random(-0.5, 2.5), random(-1.5, 1)});
+  }
+  for (const bool looksDown : {false, true})
+  {
+    FieldOptions options;
+    options.flatBase = "z=-1";
+    options.orientFaces = looksDown;
+    const auto field = fieldOf(looksDown ? terrain.reversed() : terrain, options);
+    EXPECT_EQ(field->info().netBoundaryEdges, 0u);
+    EXPECT_EQ(field->info().bounds.min()[2], -1);
+    const std::vector<double> values = valuesAt(*field, samples);
+
+    options = FieldOptions();
+    options.sheetSide = "down";
+    const auto divider = fieldOf(looksDown ? terrain.reversed() : terrain, options);
+    EXPECT_EQ(divider->info().added, 0.5);
+    const std::vector<double> divided = valuesAt(*divider, samples);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      const Point& p = samples[i];
+      const bool isOver = p[0] > 0 && p[0] < 2 && p[1] > 0 && p[1] < 2;
+      const double above = p[2] - heightAt(p[0], p[1]);
+      if (std::abs(above) < 0.01)
+      {
+        continue; // the sheet is made of triangles
+      }
+      ASSERT_EQ(values[i], isOver && above < 0 && p[2] > -1 ? 1 : 0) << p.transpose();
+      if (isOver)
+      {
+        ASSERT_EQ(divided[i] >= 0.5, above < 0) << p.transpose() << " " << divided[i];
+      }
+      ASSERT_NEAR(divided[i], divider->reference(p), 1e-3);
+    }
+  }
+}
+
+TEST(FlatBase, ClosesRingsInTheirPlane)
+{
+  // The upper half of a torus: its two rims lie in the base, and run in opposite directions.
+  const Mesh half = kept(torus(48, 24), [](const Point& p) { return p[2] > -1e-9; });
+  Surface surface = clean(half);
+  winding::SerialExecutor serial;
+  const winding::BasedOpenings found = winding::FlatBase("z=0").addTo(surface, serial);
+  EXPECT_EQ(found.closed, 2u);
+  EXPECT_EQ(netBoundary(surface), 0u);
+  EXPECT_TRUE(isClean(surface));
+  FieldOptions options;
+  options.flatBase = "z=0";
+  const auto field = fieldOf(half, options);
+  const std::vector<double> values = valuesAt(*field, {{0, 0, 0.1}, {1, 0, 0.1}, {0, 1, -0.1}});
+  EXPECT_EQ(values, (std::vector<double>{0, 1, 0}));
+  // No triangle of the base spans the hole: the nearest point of the ring is 0.6 away.
+  const std::vector<Point> middle = {{0, 0, 0}};
+  const std::vector<double> distances =
+    field->distances(winding::VectorsView(middle[0].data(), 1), serial);
+  EXPECT_NEAR(distances[0], 0.6, 0.01);
+}
+
+TEST(FlatBase, RefusesOtherTexts)
+{
+  for (const char* wrong : {"below", "z", "z=0 y=0", "direction 0 0 0"})
+  {
+    EXPECT_THROW(winding::FlatBase{wrong}, winding::Refusal) << wrong;
+  }
+  EXPECT_TRUE(winding::FlatBase("").isNone());
+}
+
+TEST(FlatBase, SaysWhereItClosesNothing)
+{
+  FieldOptions options;
+  options.flatBase = "down";
+  EXPECT_EQ(fieldOf(cube(), options)->info().warnings.size(), 1u);
+  EXPECT_EQ(fieldOf(openCube(), options)->info().warnings.size(), 1u);
+  options.flatBase = "up";
+  const auto closed = fieldOf(openCube(), options);
+  EXPECT_TRUE(closed->info().warnings.empty());
+  EXPECT_EQ(closed->info().netBoundaryEdges, 0u);
+}
+
+TEST(SheetSide, LeavesClosedPartsAlone)
+{
+  FieldOptions options;
+  options.sheetSide = "down";
+  const auto field = fieldOf(cube(), options);
+  EXPECT_EQ(field->info().added, 0);
+  EXPECT_EQ(field->info().warnings.size(), 1u);
+  options.sheetSide = "below";
+  EXPECT_THROW(fieldOf(cube(), options), winding::Refusal);
+}
+
+TEST(SheetSide, DividesInAllMethodsAndForms)
+{
+  // A wide sheet: w is near 1 on one side and near 0 on the other.
+  const Mesh sheet = kept(icosphere(5), [](const Point& p) { return p[2] > 0.9; })
+                       .mapped(
+                         [](const Point& p) -> Point {
+                           return {p[0], p[1], p[2] - 0.95};
+                         });
+  SCOPED_TRACE("seed 53");
+  const std::vector<Point> samples = randomPoints(500, -0.3, 0.3, 53);
+  FieldOptions down;
+  down.sheetSide = "down";
+  const std::vector<double> below = valuesAt(*fieldOf(sheet, down), samples);
+  for (const winding::Method method :
+    {winding::Method::automatic, winding::Method::direct, winding::Method::hierarchical})
+  {
+    for (const char* side : {"down", "up", "direction 0.1 0 -1"})
+    {
+      FieldOptions options;
+      options.sheetSide = side;
+      options.method = method;
+      const auto field = fieldOf(sheet, options);
+      const std::vector<double> values = valuesAt(*field, samples);
+      for (std::size_t i = 0; i < samples.size(); ++i)
+      {
+        ASSERT_NEAR(values[i], field->reference(samples[i]), 1e-3);
+        ASSERT_NEAR(values[i], side[0] == 'u' ? 1 - below[i] : below[i], 2e-3);
+      }
+      std::vector<float> distances(samples.size());
+      std::vector<unsigned char> inside(samples.size());
+      winding::FieldOutput output;
+      output.distances = distances.data();
+      output.inside = inside.data();
+      winding::SerialExecutor serial;
+      field->evaluate(winding::VectorsView(samples.front().data(), samples.size()), output, serial);
+      for (std::size_t i = 0; i < samples.size(); ++i)
+      {
+        ASSERT_EQ(inside[i] != 0, values[i] >= 0.5);
+        ASSERT_EQ(distances[i] < 0, inside[i] != 0);
+      }
+    }
+  }
+}
+
+TEST(SnappedPoints, MakeOneOfThoseThatAreNear)
+{
+  SCOPED_TRACE("seed 59");
+  Random random(59);
+  // Triangles of a ball with points of their own, each moved by up to 1e-4.
+  const Mesh ball = icosphere(3);
+  Mesh soup;
+  for (const auto& t : ball.triangles)
+  {
+    for (const std::int32_t corner : t)
+    {
+      soup.points.emplace_back(ball.points[corner] + 1e-4 * random.direction());
+    }
+    const auto next = static_cast<std::int32_t>(soup.points.size());
+    soup.triangles.push_back({next - 3, next - 2, next - 1});
+  }
+  EXPECT_GT(netBoundary(clean(soup)), 3000u);
+  const winding::VectorsView view(soup.points.front().data(), soup.points.size());
+  winding::SerialExecutor serial;
+  const auto snapped = winding::snappedPoints({view}, 2.1e-4, serial);
+  Mesh closed = soup;
+  double farthest = 0;
+  for (std::size_t i = 0; i < soup.points.size(); ++i)
+  {
+    closed.points[i] = Point(snapped[0].data() + 3 * i);
+    farthest = std::max(farthest, (closed.points[i] - soup.points[i]).norm());
+  }
+  EXPECT_LE(farthest, 2.1e-4);
+  EXPECT_EQ(clean(closed).vertices.size(), ball.points.size());
+  EXPECT_EQ(netBoundary(clean(closed)), 0u);
+
+  // The same places for any executor, any order, and any cut into views.
+  ShuffledThreads threads(3);
+  EXPECT_EQ(winding::snappedPoints({view}, 2.1e-4, threads), snapped);
+  std::vector<Point> reversed(soup.points.rbegin(), soup.points.rend());
+  const auto other = winding::snappedPoints(
+    {{reversed.front().data(), 1000}, {reversed[1000].data(), reversed.size() - 1000}}, 2.1e-4,
+    serial);
+  for (std::size_t i = 0; i < reversed.size(); ++i)
+  {
+    const double* const moved = i < 1000 ? &other[0][3 * i] : &other[1][3 * (i - 1000)];
+    ASSERT_EQ(Point(moved), closed.points[reversed.size() - 1 - i]);
+  }
+}
+
+TEST(SnappedPoints, KeepWhatIsFarAndWhatIsNoPlace)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> points = {0, 0, 0, 1, 0, 0, nan, 0, 0, 1e90, 1, 1, -0.0, 0, 0};
+  winding::SerialExecutor serial;
+  for (const double tolerance : {0.0, 1e-9, 0.999})
+  {
+    const auto found = winding::snappedPoints({{points.data(), 5}}, tolerance, serial)[0];
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      EXPECT_TRUE(found[i] == points[i] || std::isnan(points[i])) << i;
+    }
+  }
+  const auto one = winding::snappedPoints({{points.data(), 2}}, 1, serial)[0];
+  EXPECT_EQ(one[3], one[0]);
+}
