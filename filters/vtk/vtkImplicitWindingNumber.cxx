@@ -125,6 +125,9 @@ vtkImplicitWindingNumber::~vtkImplicitWindingNumber()
 {
   this->SetNormalsArray(nullptr);
   this->SetToward(nullptr);
+  this->SetMirror(nullptr);
+  this->SetFlatBase(nullptr);
+  this->SetSheetSide(nullptr);
   this->SetAreaArray(nullptr);
 }
 

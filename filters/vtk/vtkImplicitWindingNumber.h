@@ -110,6 +110,14 @@ public:
   vtkSetMacro(IgnoreOpenParts, vtkTypeBool);
   vtkGetMacro(IgnoreOpenParts, vtkTypeBool);
   vtkBooleanMacro(IgnoreOpenParts, vtkTypeBool);
+  vtkSetStringMacro(Mirror);
+  vtkGetStringMacro(Mirror);
+  vtkSetStringMacro(FlatBase);
+  vtkGetStringMacro(FlatBase);
+  vtkSetStringMacro(SheetSide);
+  vtkGetStringMacro(SheetSide);
+  vtkSetMacro(WeldTolerance, double);
+  vtkGetMacro(WeldTolerance, double);
   vtkSetStringMacro(NormalsArray);
   vtkGetStringMacro(NormalsArray);
   vtkSetMacro(EstimateNormals, vtkTypeBool);
@@ -166,6 +174,10 @@ protected:
   vtkTypeBool UseSurfaceCells = 0;
   vtkTypeBool OrientFaces = 0;
   vtkTypeBool IgnoreOpenParts = 0;
+  char* Mirror = nullptr;
+  char* FlatBase = nullptr;
+  char* SheetSide = nullptr;
+  double WeldTolerance = 0;
   char* NormalsArray = nullptr;
   vtkTypeBool EstimateNormals = 0;
   int NormalEstimation = vtkWindingNumberAlgorithm::ESTIMATION_AUTOMATIC;

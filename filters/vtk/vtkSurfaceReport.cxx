@@ -15,6 +15,7 @@
 #include "private/source/SourceField.h"
 #include "private/source/SourceMemory.h"
 #include "private/source/SourceParts.h"
+#include "private/source/SourceProperties.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -50,6 +51,8 @@ vtkSurfaceReport::vtkSurfaceReport()
 vtkSurfaceReport::~vtkSurfaceReport()
 {
   this->SetNormalsArray(nullptr);
+  this->SetMirror(nullptr);
+  this->SetFlatBase(nullptr);
 }
 
 void vtkSurfaceReport::SetController(vtkMultiProcessController* controller)
@@ -120,10 +123,17 @@ int vtkSurfaceReport::RequestData(
 void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, winding::Ranks& ranks)
 {
   winding::checkProperty(winding::Parameter::faultThickness, this->FaultThickness);
+  winding::checkProperty(winding::Parameter::weldTolerance, this->WeldTolerance);
   winding::InputOptions options;
   options.estimateNormals = true; // points without any are no error: the report says so
-  options.normalsArray = this->NormalsArray ? this->NormalsArray : "";
+  options.normalsArray = winding::textOf(this->NormalsArray);
   options.takesFaces = this->UseSurfaceCells;
+  options.weldTolerance = this->WeldTolerance;
+  winding::FieldOptions completion;
+  completion.mirror = winding::textOf(this->Mirror);
+  completion.flatBase = winding::textOf(this->FlatBase);
+  winding::Mirror{completion.mirror};
+  winding::FlatBase{completion.flatBase};
   winding::SmpExecutor executor(this, 0);
   auto views = std::make_unique<winding::InputViews>(source, options, &executor);
   if (this->FixOrientation && !ranks.isAlone())
@@ -134,6 +144,7 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, wi
   }
   winding::SourceOptions properties;
   properties.input = options;
+  properties.field = completion;
   properties.distribution = winding::sourceDistribution(this->SourceDistribution);
   ranks.requireSame(
     [&]
@@ -154,7 +165,7 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, wi
   winding::OrientedPolygons fix;
   if (fixes)
   {
-    fix = winding::orientPolygons(leaves, executor);
+    fix = winding::orientPolygons(leaves, this->WeldTolerance, executor);
     leaves = fix.leaves;
     views = std::make_unique<winding::InputViews>(winding::asBlocks(leaves), options);
   }
@@ -173,7 +184,7 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, wi
   const bool isDouble = surface->GetPoints() && surface->GetPoints()->GetDataType() == VTK_DOUBLE;
   const winding::FaultShape shape = {isDouble ? VTK_DOUBLE : VTK_FLOAT, this->FaultThickness};
   const winding::SourceReport report =
-    winding::reportOn(*views, shape, counts, fixes ? &fix : nullptr, executor);
+    winding::reportOn(*views, completion, shape, counts, fixes ? &fix : nullptr, executor);
   this->Report->ShallowCopy(report.arrays);
   if (turnedNormals)
   {
@@ -377,8 +388,11 @@ vtkIdType vtkSurfaceReport::GetNumberOfNonFinite()
 void vtkSurfaceReport::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NormalsArray: " << (this->NormalsArray ? this->NormalsArray : "") << "\n";
+  os << indent << "NormalsArray: " << winding::textOf(this->NormalsArray) << "\n";
   os << indent << "UseSurfaceCells: " << this->UseSurfaceCells << "\n";
+  os << indent << "Mirror: " << winding::textOf(this->Mirror) << "\n";
+  os << indent << "FlatBase: " << winding::textOf(this->FlatBase) << "\n";
+  os << indent << "WeldTolerance: " << this->WeldTolerance << "\n";
   os << indent << "FixOrientation: " << this->FixOrientation << "\n";
   os << indent << "FaultThickness: " << this->FaultThickness << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";

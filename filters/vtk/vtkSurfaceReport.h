@@ -163,6 +163,18 @@ public:
   ///@}
 
   ///@{
+  /// What completes a surface before it is examined, with the meaning and the defaults of
+  /// vtkWindingNumberAlgorithm. The report and the second output are about the completed surface,
+  /// and the first output is the input.
+  vtkSetStringMacro(Mirror);
+  vtkGetStringMacro(Mirror);
+  vtkSetStringMacro(FlatBase);
+  vtkGetStringMacro(FlatBase);
+  vtkSetMacro(WeldTolerance, double);
+  vtkGetMacro(WeldTolerance, double);
+  ///@}
+
+  ///@{
   /// Whether to turn polygons of a surface, or normals of a cloud, round so that it has an outside.
   /// Default off. Points without normals are refused then.
   vtkSetMacro(FixOrientation, bool);
@@ -255,6 +267,9 @@ protected:
   ///@}
 
   char* NormalsArray = nullptr;
+  char* Mirror = nullptr;
+  char* FlatBase = nullptr;
+  double WeldTolerance = 0;
   bool UseSurfaceCells = false;
   bool FixOrientation = false;
   double FaultThickness = 0;

@@ -120,6 +120,9 @@ vtkWindingNumberAlgorithm::~vtkWindingNumberAlgorithm()
 {
   this->SetNormalsArray(nullptr);
   this->SetToward(nullptr);
+  this->SetMirror(nullptr);
+  this->SetFlatBase(nullptr);
+  this->SetSheetSide(nullptr);
   this->SetAreaArray(nullptr);
 }
 
@@ -475,13 +478,13 @@ void vtkWindingNumberAlgorithm::LookAtSource(vtkDataObject* source)
 
 bool vtkWindingNumberAlgorithm::GetSourceBounds(vtkDataObject* source, double bounds[6])
 {
-  winding::InputOptions options = this->GetSourceOptions().input;
+  winding::SourceOptions options = this->GetSourceOptions();
   // Bounds need no normals. What a user interface asks for before anything is executed must not
   // fail, or nobody could be asked there whether to estimate them.
-  options.estimateNormals = true;
+  options.input.estimateNormals = true;
   // Nothing is to interrupt what happens before anything is executed.
   winding::SmpExecutor executor(nullptr, this->NumberOfThreads);
-  const winding::Bounds& found = this->Source->bounds(source, options, executor, *this->Ranks);
+  const winding::Bounds found = this->Source->bounds(source, options, executor, *this->Ranks);
   for (int axis = 0; axis < 3; ++axis)
   {
     bounds[2 * axis] = found.min()[axis];

@@ -217,6 +217,48 @@ public:
   ///@}
 
   ///@{
+  /**
+   * The planes of symmetry of a source that is one side of them, as half a hull: "y=0", or several
+   * as "x=0 y=0". "1 1 0 = 3" is x + y = 3. The source gets its mirror images, at most at three
+   * planes, and so do bounds. Vertices within a millionth of the longest side are in the plane.
+   * Default: none.
+   */
+  vtkSetStringMacro(Mirror);
+  vtkGetStringMacro(Mirror);
+  ///@}
+
+  ///@{
+  /**
+   * The flat base of a surface that is open on one side, as scans and terrain are from below.
+   * "down", "up", "+x" to "-z" and "direction x y z" put it where the surface ends that way; a
+   * plane as "z=-5" puts it there. Walls go from the rim to the base. Openings that face the base
+   * are closed by it, and others stay (FlatBase.h). A warning says where there is none. Default:
+   * no base.
+   */
+  vtkSetStringMacro(FlatBase);
+  vtkGetStringMacro(FlatBase);
+  ///@}
+
+  ///@{
+  /**
+   * The side of open sheets that is inside, as "down" for what lies below a terrain, or "+x" to
+   * "-z" and "direction x y z". Faces are turned accordingly. A half is added to w, as a half
+   * sphere at infinity does: it is 1 far inside and 0 far outside, and passes 0.5 at the sheet.
+   * Beyond the rim of the sheet it passes 0.5 on a surface that goes on smoothly, which is a guess.
+   * Closed parts stay as they are. Default: none.
+   */
+  vtkSetStringMacro(SheetSide);
+  vtkGetStringMacro(SheetSide);
+  ///@}
+
+  ///@{
+  /// The distance, in the unit of the input, up to which points of a surface are made one
+  /// (SnappedPoints.h): it closes slits. 0 or more, default 0: equal points only.
+  vtkSetMacro(WeldTolerance, double);
+  vtkGetMacro(WeldTolerance, double);
+  ///@}
+
+  ///@{
   /// The name of the point data array with the normals of a cloud, which need not have unit length.
   /// Default: no name, for the active normals; the name None means the same if no array has it.
   vtkSetStringMacro(NormalsArray);
@@ -532,6 +574,10 @@ protected:
   vtkTypeBool UseSurfaceCells = 0;
   vtkTypeBool OrientFaces = 0;
   vtkTypeBool IgnoreOpenParts = 0;
+  char* Mirror = nullptr;
+  char* FlatBase = nullptr;
+  char* SheetSide = nullptr;
+  double WeldTolerance = 0;
   char* NormalsArray = nullptr;
   vtkTypeBool EstimateNormals = 0;
   int NormalEstimation = ESTIMATION_AUTOMATIC;

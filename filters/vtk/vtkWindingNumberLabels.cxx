@@ -304,6 +304,7 @@ void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const winding::Ext
   options.asPoints = this->SourceAsPoints != 0;
   options.takesFaces = this->UseSurfaceCells != 0;
   options.ignoresOpenParts = this->IgnoreOpenParts != 0;
+  options.weldTolerance = this->WeldTolerance;
   const winding::Solids solids(source, options, this->GetRanks(), executor);
   this->Facts->expected = solids.size();
 
@@ -378,7 +379,7 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
       [&]
       {
         merge.begin(solids.label(i),
-          this->OverlapRule == SMALLEST_VOLUME ? winding::volumeOf(field) : 0,
+          this->OverlapRule == SMALLEST_VOLUME ? winding::sizeOf(field) : winding::SolidSize(),
           labels.addSharesOf(solids.label(i)));
         executor.setShare(0, 1);
         winding::SideTally sides;

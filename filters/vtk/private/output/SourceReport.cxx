@@ -8,6 +8,7 @@
 #include "private/source/PolygonOrientation.h"
 #include "report/Advice.h"
 #include "report/SurfaceExamination.h"
+#include "surface/CompletedSurface.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -78,10 +79,22 @@ private:
   vtkFieldData* report_;
 };
 
-vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source, const FaultShape& shape,
-  const CellCounts& cells, const OrientedPolygons* fix, Writer& writer, Executor& executor)
+vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source,
+  const FieldOptions& completion, const FaultShape& shape, const CellCounts& cells,
+  const OrientedPolygons* fix, Writer& writer, Executor& executor)
 {
-  const SurfaceExamination found = examineSurface(source.triangles(), source.points(), executor);
+  std::vector<TrianglesView> triangles = source.triangles();
+  std::vector<VectorsView> points = source.points();
+  const Mirror mirror(completion.mirror);
+  const FlatBase base(completion.flatBase);
+  CompletedSurface completed;
+  if (!mirror.isNone() || !base.isNone())
+  {
+    completed = completedSurface(triangles, mirror, base, executor);
+    triangles = {completed.view()};
+    points = {triangles[0].points};
+  }
+  const SurfaceExamination found = examineSurface(triangles, points, executor);
   const Surface& surface = *found.field->surface();
   const SurfaceReport& report = found.report;
   const EdgeCounts& edges = report.edges;
@@ -160,15 +173,15 @@ void reportOnCloud(InputViews& source, Writer& writer, Executor& executor)
 
 } // namespace
 
-SourceReport reportOn(InputViews& source, const FaultShape& shape, const CellCounts& cells,
-  const OrientedPolygons* fix, Executor& executor)
+SourceReport reportOn(InputViews& source, const FieldOptions& completion, const FaultShape& shape,
+  const CellCounts& cells, const OrientedPolygons* fix, Executor& executor)
 {
   SourceReport report;
   report.arrays = vtkSmartPointer<vtkFieldData>::New();
   Writer writer(report.arrays);
   if (source.isSurface())
   {
-    report.faults = reportOnSurface(source, shape, cells, fix, writer, executor);
+    report.faults = reportOnSurface(source, completion, shape, cells, fix, writer, executor);
   }
   else
   {

@@ -12,6 +12,7 @@ class Executor;
 class InputViews;
 struct CellCounts;
 struct FaultShape;
+struct FieldOptions;
 struct OrientedPolygons;
 
 struct SourceReport
@@ -23,9 +24,10 @@ struct SourceReport
   vtkSmartPointer<vtkMultiBlockDataSet> faults;
 };
 
-/// Makes the report. `cells` counts the source's, and `fix` says how its polygons have been
-/// turned before: null if that was not asked for. The core's exceptions pass through.
-SourceReport reportOn(InputViews& source, const FaultShape& shape, const CellCounts& cells,
-  const OrientedPolygons* fix, Executor& executor);
+/// Makes the report on a source, which `completion` completes if it is a surface: its mirror and its
+/// base. `cells` counts the source's, and `fix` says how its polygons have been turned before: null
+/// if that was not asked for. The core's exceptions pass through.
+SourceReport reportOn(InputViews& source, const FieldOptions& completion, const FaultShape& shape,
+  const CellCounts& cells, const OrientedPolygons* fix, Executor& executor);
 
 } // namespace winding

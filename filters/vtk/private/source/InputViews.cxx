@@ -8,6 +8,7 @@
 #include "private/source/PointArrays.h"
 #include "private/source/SourceParts.h"
 #include "source/Sanitize.h"
+#include "source/SnappedPoints.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
@@ -226,7 +227,34 @@ void InputViews::addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& vie
 
 std::vector<TrianglesView> InputViews::triangles()
 {
-  return isGathered_ ? gathered_.triangles() : this->ownTriangles();
+  std::vector<TrianglesView> triangles = isGathered_ ? gathered_.triangles() : this->ownTriangles();
+  std::vector<VectorsView> points;
+  for (const TrianglesView& view : triangles)
+  {
+    points.push_back(view.points);
+  }
+  points = this->welded(points);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    triangles[i].points = points[i];
+  }
+  return triangles;
+}
+
+std::vector<VectorsView> InputViews::welded(const std::vector<VectorsView>& points)
+{
+  if (options_.weldTolerance == 0 || !isSurface_)
+  {
+    return points;
+  }
+  SerialExecutor serial;
+  welded_.push_back(snappedPoints(points, options_.weldTolerance, executor_ ? *executor_ : serial));
+  std::vector<VectorsView> views;
+  for (const std::vector<double>& own : welded_.back())
+  {
+    views.emplace_back(own.data(), own.size() / 3);
+  }
+  return views;
 }
 
 std::vector<OrientedPointsView> InputViews::orientedPoints()
@@ -413,7 +441,7 @@ std::vector<VectorsView> InputViews::points()
     {
       views.push_back(view.positions);
     }
-    return views;
+    return this->welded(views);
   }
   for (vtkPointSet* leaf : leaves_)
   {
@@ -423,7 +451,7 @@ std::vector<VectorsView> InputViews::points()
       views.push_back(this->vectorsOf(own->GetPoints()->GetData()));
     }
   }
-  return views;
+  return this->welded(views);
 }
 
 } // namespace winding

@@ -9,6 +9,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -43,12 +44,14 @@ struct InputOptions
   std::string normalsArray;     ///< name; empty or None for the active normals
   AreaSource areas = AreaSource::none; ///< for clouds only
   std::string areaArray;               ///< name, for AreaSource::array
+  double weldTolerance = 0; ///< up to which points of a surface are made one (SnappedPoints.h)
 
   bool operator==(const InputOptions& other) const
   {
     return asPoints == other.asPoints && takesFaces == other.takesFaces &&
            normalsArray == other.normalsArray && estimateNormals == other.estimateNormals &&
-           areas == other.areas && areaArray == other.areaArray;
+           areas == other.areas && areaArray == other.areaArray &&
+           weldTolerance == other.weldTolerance;
   }
 };
 
@@ -100,6 +103,7 @@ public:
   /// attributes change.
   std::uint64_t fingerprint() const;
 
+  /// The triangles of a surface. Points are moved by the weld tolerance, if there is one.
   std::vector<TrianglesView> triangles();
   std::vector<OrientedPointsView> orientedPoints();
 
@@ -124,6 +128,7 @@ private:
   template <class View> View viewOf(vtkDataArray* array);
   TrianglesView trianglesOf(const VectorsView& points, vtkCellArray* polygons);
   const std::vector<TrianglesView>& ownTriangles();
+  std::vector<VectorsView> welded(const std::vector<VectorsView>& points);
   const std::vector<OrientedPointsView>& ownOrientedPoints();
   std::vector<OrientedPointsView> findOrientedPoints();
   bool lacksNormals() const;
@@ -147,6 +152,7 @@ private:
   GatheredViews gathered_;
 
   // Views point into these where VTK's own memory would not do.
+  std::deque<std::vector<std::vector<double>>> welded_; ///< points, moved by the weld tolerance
   std::vector<vtkSmartPointer<vtkDataArray>> copies_;
   std::map<vtkPointSet*, vtkSmartPointer<vtkPolyData>> skins_;
   std::vector<FlatTriangles> flat_;

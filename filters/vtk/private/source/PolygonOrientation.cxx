@@ -203,7 +203,7 @@ struct PolygonTriangles
 } // namespace
 
 OrientedPolygons orientPolygons(
-  const std::vector<vtkSmartPointer<vtkPolyData>>& leaves, Executor& executor)
+  const std::vector<vtkSmartPointer<vtkPolyData>>& leaves, double weldTolerance, Executor& executor)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> bases, surfaces;
   std::vector<std::pair<std::size_t, OwnPolygons>> owned;
@@ -217,7 +217,9 @@ OrientedPolygons orientPolygons(
       owned.emplace_back(i, std::move(own));
     }
   }
-  InputViews views(asBlocks(surfaces), InputOptions());
+  InputOptions options;
+  options.weldTolerance = weldTolerance;
+  InputViews views(asBlocks(surfaces), options, &executor);
   const std::vector<TrianglesView> triangles = views.triangles();
   PolygonTriangles polygons;
   for (std::size_t i = 0; i < owned.size(); ++i)

@@ -140,9 +140,12 @@ std::pair<vtkIdType, vtkIdType> facesOf(vtkPointSet* data)
     data->GetNumberOfCells()};
 }
 
-SolidCells solidCellsOf(vtkPolyData* surface, bool ignoresOpenParts, Executor& executor)
+SolidCells solidCellsOf(
+  vtkPolyData* surface, bool ignoresOpenParts, double weldTolerance, Executor& executor)
 {
-  InputViews views(surface, InputOptions(), &executor);
+  InputOptions options;
+  options.weldTolerance = weldTolerance;
+  InputViews views(surface, options, &executor);
   const std::vector<TrianglesView> triangles = views.triangles();
   // The faces of the triangles that a surface keeps. Views have polygons first, then strips.
   SolidCells result;

@@ -27,8 +27,10 @@ struct SolidCells
 };
 
 /// Finds the solids of a surface. Strips belong to one solid. `ignoresOpenParts` leaves out open
-/// parts inside of closed ones. Throws Interrupted, and a Refusal if there is no usable polygon.
-SolidCells solidCellsOf(vtkPolyData* surface, bool ignoresOpenParts, Executor& executor);
+/// parts inside of closed ones. Points up to `weldTolerance` from each other are one. Throws
+/// Interrupted, and a Refusal if there is no usable polygon.
+SolidCells solidCellsOf(
+  vtkPolyData* surface, bool ignoresOpenParts, double weldTolerance, Executor& executor);
 
 /**
  * Some of the cells of a data set, in their order, with the points that they use. The cells of

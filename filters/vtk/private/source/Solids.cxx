@@ -236,7 +236,8 @@ void Solids::findParts(vtkPointSet* data, const SolidOptions& options, Executor&
   {
     data_ = outerSurfaceOf(data, false, counts_);
   }
-  parts_ = solidCellsOf(vtkPolyData::SafeDownCast(data_), options.ignoresOpenParts, executor);
+  parts_ = solidCellsOf(
+    vtkPolyData::SafeDownCast(data_), options.ignoresOpenParts, options.weldTolerance, executor);
   if (parts_.cells.size() > largestLabel)
   {
     throw Refusal(Message("the surface has too many parts for labels",

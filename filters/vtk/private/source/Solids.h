@@ -30,6 +30,7 @@ struct SolidOptions
   int labelOffset = 0;           ///< added to a region to give its label
   bool ignoresOpenParts = false; ///< whether open parts inside of closed ones are no solids
   bool takesFaces = false;       ///< of a mesh that has cells with volume, too (OuterSurface.h)
+  double weldTolerance = 0;      ///< up to which points are made one to find what is connected
   bool asPoints = false;         ///< whether meshes are taken as the clouds of their points
 };
 

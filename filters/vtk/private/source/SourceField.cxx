@@ -1,11 +1,15 @@
 #include "private/source/SourceField.h"
 
+#include "base/Directions.h"
 #include "base/Refusal.h"
 #include "cloud/Viewpoints.h"
 #include "private/source/ContentHash.h"
 #include "private/source/FramedViews.h"
 #include "private/source/SourceMemory.h"
 #include "source/Sanitize.h"
+#include "surface/FlatBase.h"
+#include "surface/Mirror.h"
+#include "surface/SheetSide.h"
 
 #include <optional>
 #include <string>
@@ -61,6 +65,7 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
     {
       bytes = withFramedViews(bytes);
     }
+    bytes = withImages(bytes, Mirror(options.field.mirror).copies());
     refuseHugeSource(*views, bytes, "the field", ranks, onlyOnFirst);
     views->gather(ranks, onlyOnFirst);
     if (onlyOnFirst && ranks.rank() > 0)
@@ -73,7 +78,12 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
       FieldOptions field = options.field;
       if (!frame_.isStraight())
       {
-        field.toward = Viewpoints(field.toward).textAlong(frame_.inverseAxes, frame_.origin);
+        const auto& [axes, origin] = frame_;
+        const Eigen::Vector3d side = sheetSideIn(field.sheetSide);
+        field.toward = Viewpoints(field.toward).textAlong(axes, origin);
+        field.mirror = textAlong(Mirror(field.mirror).planes(), axes, origin);
+        field.flatBase = FlatBase(field.flatBase).along(axes, origin);
+        field.sheetSide = side.isZero() ? "" : "direction " + textOf(axes * side);
       }
       field_ = views->isSurface() || views->isEmpty()
                  ? Field::build(framed.of(views->triangles()), field, executor)
@@ -87,16 +97,16 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
   return *field_;
 }
 
-const Bounds& SourceField::bounds(
-  vtkDataObject* source, const InputOptions& options, Executor& executor, Ranks& ranks)
+Bounds SourceField::bounds(
+  vtkDataObject* source, const SourceOptions& options, Executor& executor, Ranks& ranks)
 {
   std::optional<InputViews> views;
   Memory memory = boundedSource_;
   const bool isKept = ranks.allOf(
     [&]
     {
-      views.emplace(source, options);
-      const bool isSameSource = memory.isSame(*views, options);
+      views.emplace(source, options.input);
+      const bool isSameSource = memory.isSame(*views, options.input);
       return isSameSource && boundedRanks_ == ranks.count();
     });
   if (!isKept)
@@ -122,7 +132,8 @@ const Bounds& SourceField::bounds(
   }
   boundedSource_ = memory; // not before: a source that is refused must be refused again
   boundedRanks_ = ranks.count();
-  return bounds_;
+  const Bounds mirrored = Mirror(options.field.mirror).completed(bounds_);
+  return FlatBase(options.field.flatBase).completed(mirrored);
 }
 
 Ranks::Number hashOf(const SourceOptions& options)
@@ -141,6 +152,10 @@ Ranks::Number hashOf(const SourceOptions& options)
   hash.addValue(options.field.tolerance);
   hash.addValue(options.field.normalEstimation);
   hash.addText(options.field.toward);
+  hash.addText(options.field.mirror);
+  hash.addText(options.field.flatBase);
+  hash.addText(options.field.sheetSide);
+  hash.addValue(options.input.weldTolerance);
   hash.addValue(options.field.pointAreaMethod);
   hash.addValue(options.field.pointArea);
   hash.addValue(options.field.neighbors);

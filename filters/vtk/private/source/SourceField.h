@@ -46,8 +46,8 @@ public:
   /// The bounds of the usable primitives of the source, on all ranks, found without building
   /// a field, and kept for as long as the source stays the same. The executor must not interrupt.
   /// Collective. Throws Refusal.
-  const Bounds& bounds(
-    vtkDataObject* source, const InputOptions& options, Executor& executor, Ranks& ranks);
+  Bounds bounds(
+    vtkDataObject* source, const SourceOptions& options, Executor& executor, Ranks& ranks);
 
   /// Information on the last field; before the first, on an empty one.
   const FieldInfo& info() const { return info_; }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 namespace winding
 {
 
@@ -34,6 +36,12 @@ inline BytesOfWork withNormals(const BytesOfWork& bytes, bool areFound)
 inline BytesOfWork withFramedViews(const BytesOfWork& bytes)
 {
   return {bytes.perCell + 48, bytes.perPoint + 48};
+}
+
+/// The memory of work on a source that is there `copies` times, as its mirror images make it.
+inline BytesOfWork withImages(const BytesOfWork& bytes, std::size_t copies)
+{
+  return {copies * bytes.perCell, copies * bytes.perPoint};
 }
 
 /// Throws OutOfMemory where the work on the source of all ranks, which they have compared, does not

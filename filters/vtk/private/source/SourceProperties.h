@@ -5,6 +5,9 @@
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
 #include "private/source/SourceField.h"
+#include "surface/FlatBase.h"
+#include "surface/Mirror.h"
+#include "surface/SheetSide.h"
 
 #include "vtkIndent.h"
 
@@ -66,6 +69,10 @@ template <class Object> void checkSourceProperties(Object& object)
   pointAreasFrom(object.GetPointAreaMethod());
   coreNormalEstimation(object.GetNormalEstimation());
   Viewpoints(textOf(object.GetToward()));
+  Mirror(textOf(object.GetMirror()));
+  FlatBase(textOf(object.GetFlatBase()));
+  sheetSideIn(textOf(object.GetSheetSide()));
+  checkProperty(Parameter::weldTolerance, object.GetWeldTolerance());
   checkCloudProperties(object);
   checkProperty(Parameter::regularization, object.GetRegularization());
 }
@@ -81,10 +88,14 @@ template <class Object> SourceOptions sourceOptions(Object& object, bool scatter
   options.input.takesFaces = object.GetUseSurfaceCells() != 0;
   options.input.normalsArray = textOf(object.GetNormalsArray());
   options.input.estimateNormals = object.GetEstimateNormals() != 0;
+  options.input.weldTolerance = object.GetWeldTolerance();
   options.input.areas = areaSource(areas);
   options.input.areaArray = textOf(object.GetAreaArray());
   options.field.orientFaces = object.GetOrientFaces() != 0;
   options.field.ignoreOpenParts = object.GetIgnoreOpenParts() != 0;
+  options.field.mirror = textOf(object.GetMirror());
+  options.field.flatBase = textOf(object.GetFlatBase());
+  options.field.sheetSide = textOf(object.GetSheetSide());
   options.field.method = coreMethod(object.GetMethod());
   options.field.tolerance = object.GetTolerance();
   options.field.estimateNormals = object.GetEstimateNormals() != 0;
@@ -109,6 +120,10 @@ void printSourceProperties(Object& object, std::ostream& os, vtkIndent indent)
   os << indent << "UseSurfaceCells: " << object.GetUseSurfaceCells() << "\n";
   os << indent << "OrientFaces: " << object.GetOrientFaces() << "\n";
   os << indent << "IgnoreOpenParts: " << object.GetIgnoreOpenParts() << "\n";
+  os << indent << "Mirror: " << textOf(object.GetMirror()) << "\n";
+  os << indent << "FlatBase: " << textOf(object.GetFlatBase()) << "\n";
+  os << indent << "SheetSide: " << textOf(object.GetSheetSide()) << "\n";
+  os << indent << "WeldTolerance: " << object.GetWeldTolerance() << "\n";
   os << indent << "NormalsArray: " << textOf(object.GetNormalsArray()) << "\n";
   os << indent << "EstimateNormals: " << object.GetEstimateNormals() << "\n";
   os << indent << "NormalEstimation: " << object.GetNormalEstimation() << "\n";
