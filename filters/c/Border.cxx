@@ -3,6 +3,10 @@
 #include "cloud/Viewpoints.h"
 #include "messages/PropertyChecks.h"
 #include "source/Sanitize.h"
+#include "source/SnappedPoints.h"
+#include "surface/FlatBase.h"
+#include "surface/Mirror.h"
+#include "surface/SheetSide.h"
 
 #include <cmath>
 #include <limits>
@@ -166,6 +170,15 @@ ScalarsView scalarsOf(const winding_array& array, const char* name)
   return viewOf<ScalarsView>(array, 1, name);
 }
 
+void Triangles::weld(double tolerance, Executor& executor)
+{
+  if (tolerance > 0)
+  {
+    welded_ = snappedPoints({view_.points}, tolerance, executor).front();
+    view_.points = VectorsView(welded_.data(), view_.points.size());
+  }
+}
+
 Triangles::Triangles(const winding_array& points, const winding_polygons* polygons)
 {
   const winding_polygons& given = required(polygons, "polygons");
@@ -249,11 +262,25 @@ FieldOptions optionsOf(const winding_options* options)
   result.estimateNormals = wished.estimate_normals != 0;
   result.normalEstimation = static_cast<NormalEstimation>(wished.normal_estimation);
   result.toward = wished.toward ? wished.toward : "";
-  Viewpoints(result.toward); // refuses what is none
+  result.mirror = wished.mirror ? wished.mirror : "";
+  result.flatBase = wished.flat_base ? wished.flat_base : "";
+  result.sheetSide = wished.sheet_side ? wished.sheet_side : "";
+  // These refuse what is none.
+  Viewpoints(result.toward);
+  Mirror(result.mirror);
+  FlatBase(result.flatBase);
+  sheetSideIn(result.sheetSide);
   result.orientFaces = wished.orient_faces != 0;
   result.ignoreOpenParts = wished.ignore_open_parts != 0;
   result.scattered = wished.scattered != 0;
   return result;
+}
+
+double toleranceOf(const winding_options* options)
+{
+  const double tolerance = known(options, defaultOptions()).weld_tolerance;
+  checkProperty(Parameter::weldTolerance, tolerance);
+  return tolerance;
 }
 
 Grid gridOf(const winding_grid* grid)

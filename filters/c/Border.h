@@ -108,6 +108,10 @@ class Triangles
 public:
   Triangles(const winding_array& points, const winding_polygons* polygons);
 
+  /// Makes points one that are up to `tolerance` from each other (SnappedPoints.h). Throws
+  /// Interrupted.
+  void weld(double tolerance, Executor& executor);
+
   const TrianglesView& view() const { return view_; }
   std::vector<TrianglesView> views() const { return {view_}; }
 
@@ -142,6 +146,7 @@ private:
   bool isKept(std::size_t triangle) const;
 
   TrianglesView view_;
+  std::vector<double> welded_;      ///< points that were moved
   std::vector<std::int64_t> ids_;   ///< of fans, and of triangles with strides
   std::vector<char> isContinued_;   ///< by triangle
   std::vector<std::size_t> starts_; ///< first triangle of each polygon; none for triangles
@@ -151,6 +156,7 @@ private:
 /// Choices and options of the core. Throw Refusal for values out of range.
 InsideRule ruleOf(const winding_rule& rule);
 FieldOptions optionsOf(const winding_options* options);
+double toleranceOf(const winding_options* options);
 Grid gridOf(const winding_grid* grid);
 ///@}
 

@@ -164,14 +164,15 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
         }
         const auto all = static_cast<double>(count);
         call.executor.setShare(static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
-        const double volume =
-          wished.overlap_rule == WINDING_OVERLAP_RULE_SMALLEST ? winding::volumeOf(field) : 0;
+        const winding::SolidSize size = wished.overlap_rule == WINDING_OVERLAP_RULE_SMALLEST
+                                          ? winding::sizeOf(field)
+                                          : winding::SolidSize();
         float* const shares = given.shares ? given.shares[i] : nullptr;
         if (shares)
         {
           std::fill_n(shares, voxels, 0.0F);
         }
-        merge.begin(number, volume, shares);
+        merge.begin(number, size, shares);
         winding::SideTally sides;
         evaluation.run(field, samples, part, merge, &sides, call.executor);
         if (isWhole && !merge.hasInside() && field.info().primitives > 0 &&

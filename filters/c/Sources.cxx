@@ -60,7 +60,13 @@ winding_status winding_faces(winding_array points, const winding_polygons* polyg
     [&]
     {
       required(field, "field") = nullptr;
-      const Triangles triangles(points, polygons);
+      Triangles triangles(points, polygons);
+      const double tolerance = toleranceOf(options);
+      if (tolerance > 0)
+      {
+        Call call(run);
+        triangles.weld(tolerance, call.executor);
+      }
       if (known(options, defaultOptions()).source_as_points)
       {
         Call call(run);

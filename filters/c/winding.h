@@ -186,6 +186,23 @@ extern "C"
      * of up, down, +x, -x, +y, -y, +z and -z. It is copied. Default: null, not known
      */
     const char* toward;
+    /**
+     * The planes of symmetry of which the source is one side, "y=0" or "x=0 y=0", or "1 1 0 = 3" for
+     * x + y = 3: its mirror images belong to it. It is copied. Default: null, none
+     */
+    const char* mirror;
+    /**
+     * The flat base of a surface that is open on one side. A direction as for `toward` puts it where
+     * the surface ends, a plane as "z=-5" puts it there. It is copied. Default: null, none
+     */
+    const char* flat_base;
+    /**
+     * The side of open sheets that is inside, as "down": a direction as for `toward`. Values are
+     * then w + 0.5, for a half sphere at infinity closes them. It is copied. Default: null, none
+     */
+    const char* sheet_side;
+    /** The distance up to which points of a surface are made one, see winding_weld(). Default: 0 */
+    double weld_tolerance;
   } winding_options;
 
   /**
@@ -735,6 +752,35 @@ extern "C"
    * @param size sizeof of the struct
    */
   WINDING_API void winding_report_init(winding_report* report, size_t size);
+
+  /**
+   * Moves points onto others that are no farther away than a tolerance, so that slits between faces
+   * close. The result depends on neither the order of the points nor on threads. Points with NaN or
+   * infinite coordinates stay.
+   *
+   * @param points three coordinates in each row
+   * @param tolerance in the unit of the points, 0 or more; 0 moves none
+   * @param run null for the defaults
+   * @param welded receives three numbers for each point
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_weld(winding_array points, double tolerance,
+    const winding_run* run, double* welded, winding_refusal* refusal);
+
+  /**
+   * Adds to a surface what options say that it lacks: points are welded, and the triangles get their
+   * mirror images and walls with a flat base.
+   *
+   * @param points three coordinates in each row
+   * @param polygons triangles, or polygons, which are cut into fans from their first corners
+   * @param options `mirror`, `flat_base` and `weld_tolerance` are looked at; null for the defaults
+   * @param run null for the defaults
+   * @param mesh receives the triangles, or null; winding_mesh_free() gives it back
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_complete(winding_array points,
+    const winding_polygons* polygons, const winding_options* options, const winding_run* run,
+    winding_mesh** mesh, winding_refusal* refusal);
 
   /**
    * Examines a surface. Advice comes as warnings, the most important first.

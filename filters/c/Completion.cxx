@@ -1,0 +1,62 @@
+#include "Border.h"
+#include "Handles.h"
+#include "messages/PropertyChecks.h"
+#include "source/SnappedPoints.h"
+#include "surface/CompletedSurface.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+using namespace winding::c;
+
+winding_status winding_weld(winding_array points, double tolerance, const winding_run* run,
+  double* welded, winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      const winding::VectorsView given = vectorsOf(points, "points");
+      winding::checkProperty(winding::Parameter::weldTolerance, tolerance);
+      if (!given.empty())
+      {
+        required(welded, "welded");
+      }
+      Call call(run);
+      const std::vector<double> moved =
+        winding::snappedPoints({given}, tolerance, call.executor).front();
+      std::copy(moved.begin(), moved.end(), welded);
+    });
+}
+
+winding_status winding_complete(winding_array points, const winding_polygons* polygons,
+  const winding_options* options, const winding_run* run, winding_mesh** mesh,
+  winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      required(mesh, "mesh") = nullptr;
+      const winding::FieldOptions wished = optionsOf(options);
+      Triangles triangles(points, polygons);
+      Call call(run);
+      triangles.weld(toleranceOf(options), call.executor);
+      giveHandle(*mesh,
+        [&](winding_mesh& made)
+        {
+          const winding::Surface surface = winding::completedSurface(triangles.views(),
+            winding::Mirror(wished.mirror), winding::FlatBase(wished.flatBase), call.executor)
+                                             .surface;
+          made.offsets.push_back(0);
+          for (const winding::Triangle& t : surface.triangles)
+          {
+            made.corners.insert(made.corners.end(), t.begin(), t.end());
+            made.offsets.push_back(static_cast<std::int64_t>(made.corners.size()));
+          }
+          for (const Eigen::Vector3d& vertex : surface.vertices)
+          {
+            made.doublePoints.insert(made.doublePoints.end(), vertex.data(), vertex.data() + 3);
+          }
+        });
+    });
+}
