@@ -157,6 +157,9 @@ void runCheck(const Options& options, Messages& messages)
   vtkNew<vtkSurfaceReport> filter;
   filter->SetInputDataObject(readSource(options, messages));
   filter->SetUseSurfaceCells(options.surfaceCells);
+  filter->SetMirror(options.mirror.c_str());
+  filter->SetFlatBase(options.flatBase.c_str());
+  filter->SetWeldTolerance(options.weldTolerance);
   filter->SetFixOrientation(options.fixOrientation);
   {
     const Progress progress(filter, Phase::evaluating, messages.isQuiet(), "checking");

@@ -30,6 +30,10 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
   filter->SetUseSurfaceCells(options.surfaceCells);
   filter->SetOrientFaces(options.orientFaces);
   filter->SetIgnoreOpenParts(options.ignoreOpenParts);
+  filter->SetMirror(options.mirror.c_str());
+  filter->SetFlatBase(options.flatBase.c_str());
+  filter->SetSheetSide(options.sheetSide.c_str());
+  filter->SetWeldTolerance(options.weldTolerance);
   filter->SetEstimateNormals(options.estimateNormals);
   filter->SetNormalEstimation(options.normalEstimation);
   filter->SetToward(options.toward.c_str());

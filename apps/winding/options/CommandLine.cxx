@@ -134,8 +134,8 @@ void addLabels(CLI::App& app, Options& options)
       "the labels themselves, or are counted from 1 where they are not all 1 to 65535")
     ->type_name("ARRAY");
   labels
-    ->add_option("--label-offset", options.labelOffset,
-      "For --region-array: added to the integers (0)")
+    ->add_option(
+      "--label-offset", options.labelOffset, "For --region-array: added to the integers (0)")
     ->type_name("N");
   for (const char* option :
     {"--overlap", "--count", "--shares", "--region-array", "--label-offset"})
@@ -211,6 +211,7 @@ void addCheck(CLI::App& app, Options& options)
     "Write what is wrong with a surface, to look at, .vtm: the blocks Boundary, Caps, "
     "NonManifoldEdges and InconsistentEdges");
   addSurfaceCells(check, options);
+  addCompletion(check, options);
   output->needs(fix);
   output->type_name("OUT");
   faults->type_name("OUT");

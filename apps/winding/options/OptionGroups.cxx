@@ -204,6 +204,28 @@ void addPointAreas(
     ->group(group);
 }
 
+void addCompletion(CLI::App* command, Options& options)
+{
+  const std::string group = "Method";
+  command
+    ->add_option("--mirror", options.mirror,
+      "Add the mirror image of what is half of a solid, at x=0, y=0 or z=2, say, or at 'A B C=D'; "
+      "may be given again for a quarter")
+    ->multi_option_policy(CLI::MultiOptionPolicy::Join)
+    ->type_name("PLANE")
+    ->group(group);
+  command
+    ->add_option("--flat-base", options.flatBase,
+      "Close a surface that is open below by walls and a flat base: down, up, +x, ... where it "
+      "ends, or a plane as z=-5")
+    ->type_name("SIDE|PLANE")
+    ->group(group);
+  command
+    ->add_option("--weld-tolerance", options.weldTolerance,
+      "Make points of faces one that are up to this far from each other, so that slits close (0)")
+    ->group(group);
+}
+
 void addMethod(CLI::App* command, Options& options)
 {
   const std::string group = "Method";
@@ -248,6 +270,13 @@ void addMethod(CLI::App* command, Options& options)
   command
     ->add_flag("--ignore-open-parts", options.ignoreOpenParts,
       "Leave out open sheets inside of closed parts, as baffles")
+    ->group(group);
+  addCompletion(command, options);
+  command
+    ->add_option("--sheet-side", options.sheetSide,
+      "The side of open sheets that is inside, as down for what is below a terrain: down, up, +x, "
+      "... or 'direction X Y Z'. A half is added to w; beyond the rim the side is a guess")
+    ->type_name("SIDE")
     ->group(group);
 }
 

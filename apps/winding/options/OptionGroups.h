@@ -41,6 +41,8 @@ void addPointAreas(
 /// Adds which cells of a mesh are its surface.
 void addSurfaceCells(CLI::App* command, Options& options);
 
+/// Adds what a surface lacks by its owner's word.
+void addCompletion(CLI::App* command, Options& options);
 void addMethod(CLI::App* command, Options& options);
 
 /// Adds the options of commands that make a field: grid, method and verification.

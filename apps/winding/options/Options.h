@@ -39,6 +39,10 @@ struct Options
   bool surfaceCells = false;
   bool orientFaces = false;
   bool ignoreOpenParts = false;
+  std::string mirror;    ///< as the filters have it, as are the next two
+  std::string flatBase;
+  std::string sheetSide;
+  double weldTolerance = 0;
 
   // The output. Choices have the numbers that the filters give them.
   double threshold = 0.5;
