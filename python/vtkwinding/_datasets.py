@@ -120,12 +120,9 @@ def unstructured(data):
 
 def extracted(data, are_kept):
     """Some of the cells of a data set, as an unstructured grid."""
-    ids = class_of(data, "vtkCommonCore", "vtkIdList")()
-    for cell in np.flatnonzero(are_kept).tolist():
-        ids.InsertNextId(cell)
     extract = class_of(data, ("vtkFiltersCore", "vtkFiltersExtraction"), "vtkExtractCells")()
     extract.SetInputData(data)
-    extract.SetCellList(ids)
+    extract.SetCellList(ids_of(data, np.flatnonzero(are_kept)))
     extract.Update()
     return extract.GetOutput()
 
@@ -159,6 +156,28 @@ def has_faces(mesh):
     if mesh.IsA("vtkUnstructuredGrid"):
         return bool((dimensions_of(cell_types_of(mesh)) >= 2).any())
     return mesh.GetNumberOfCells() > 0
+
+
+def is_of_lines(mesh):
+    """Whether most cells of a data set are of one dimension, and none bounds anything."""
+    if not mesh.IsA("vtkPointSet") or has_faces(mesh):
+        return False
+    if mesh.IsA("vtkPolyData"):
+        return mesh.GetNumberOfLines() > 0 and (
+            mesh.GetLines().GetNumberOfConnectivityIds()
+            > mesh.GetVerts().GetNumberOfConnectivityIds())
+    if mesh.IsA("vtkUnstructuredGrid"):
+        return bool(np.where(dimensions_of(cell_types_of(mesh)) == 1, 1, -1).sum() > 0)
+    return False
+
+
+def ids_of(data, numbers):
+    """Numbers as a vtkIdList."""
+    ids = class_of(data, "vtkCommonCore", "vtkIdList")()
+    ids.SetNumberOfIds(len(numbers))
+    for place, number in enumerate(numbers):
+        ids.SetId(place, int(number))
+    return ids
 
 
 def ghosts_of(attributes, bits, count):

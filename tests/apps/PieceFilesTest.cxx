@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -164,6 +165,107 @@ TEST_F(PieceFiles, OfGltfAreWhereTheirNodesPlaceThem)
   }
 }
 
+TEST_F(PieceFiles, OfGltfMayMirrorAndMoveInAllWays)
+{
+  folder.write("cube.bin", cubeBuffer());
+  const nlohmann::json whole = nlohmann::json::parse(gltfOf(R"(,"uri":"cube.bin")"));
+  const auto reportOn = [&](const std::function<void(nlohmann::json&)>& change)
+  {
+    nlohmann::json file = whole;
+    change(file);
+    folder.write("a.gltf", file.dump());
+    return this->check("a.gltf");
+  };
+  // The volume is 7 in each case: a mirrored node looks outward, too.
+  const std::vector<std::function<void(nlohmann::json&)>> changes = {
+    [](nlohmann::json& file) {
+      file["nodes"][1]["scale"] = {-2, 3, 1};
+    },
+    [](nlohmann::json& file) {
+      file["nodes"][0]["scale"] = {1, -1, 1};
+    },
+    [](nlohmann::json& file)
+    {
+      file["nodes"][1].erase("scale");
+      file["nodes"][1]["matrix"] = {0, 2, 0, 0, 3, 0, 0, 0, 0, 0, 1, 0, 4, 5, 6, 1};
+    },
+    [](nlohmann::json& file) { file.erase("scenes"), file.erase("scene"); },
+    [](nlohmann::json& file)
+    {
+      file["extensionsUsed"] = {"KHR_materials_clearcoat", "SOME_extension"};
+      file["images"] = {{{"uri", "gone.png"}}};
+      file["textures"] = {{{"source", 0}}};
+    },
+    [](nlohmann::json& file) {
+      file["nodes"][0]["rotation"] = {0, 0, 0.6, 0.8};
+    },
+  };
+  for (std::size_t i = 0; i < changes.size(); ++i)
+  {
+    const nlohmann::json report = reportOn(changes[i]);
+    EXPECT_NEAR(report["volume"], 7, 1e-6) << i;
+    EXPECT_EQ(report["inverted_components"], 0) << i;
+  }
+  // Data of any type in the text, lines next to faces, and what no reader can do.
+  const nlohmann::json embedded = reportOn(
+    [](nlohmann::json& file)
+    {
+      file["buffers"] = {
+        {{"byteLength", 12}, {"uri", "data:;base64,AAAAAAAAgD8AAABA"}}, file["buffers"][0]};
+      file["bufferViews"][0]["buffer"] = 1;
+      file["bufferViews"][1]["buffer"] = 1;
+      file["meshes"][0]["primitives"].push_back({{"mode", 1}, {"attributes", {{"POSITION", 0}}}});
+    });
+  EXPECT_NEAR(embedded["volume"], 7, 1e-12);
+  EXPECT_NE(embedded["advice"].get<std::string>().find("8 are left out"), std::string::npos)
+    << embedded["advice"];
+  nlohmann::json packed = whole;
+  packed["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+  folder.write("packed.gltf", packed.dump());
+  this->expectRefused("packed.gltf", "needs the extension KHR_draco_mesh_compression");
+  // Blocks have the names of nodes.
+  nlohmann::json named = whole;
+  named["nodes"][1]["name"] = "wall";
+  named["meshes"][0]["name"] = "cube";
+  const std::string in = folder.write("named.gltf", named.dump());
+  const nlohmann::json labels =
+    runProgram({"labels", in, "-o", folder.path("out.vti"), "--json"}).json()["labels"];
+  EXPECT_EQ(labels[0]["name"], "wall");
+  EXPECT_EQ(labels[1]["name"], "cube");
+}
+
+TEST_F(PieceFiles, HaveNoWallsAtTheirSeams)
+{
+  // Two boxes of cells that touch, each with points of its own.
+  const auto box = [](double x)
+  {
+    std::string points;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      points += std::to_string(x + (corner & 1)) + " " + std::to_string(corner >> 1 & 1) + " " +
+                std::to_string(corner >> 2) + " ";
+    }
+    return xmlFile("UnstructuredGrid",
+      R"(<Piece NumberOfPoints="8" NumberOfCells="1"><Points><DataArray type="Float64")"
+      R"( NumberOfComponents="3">)" +
+        points +
+        R"(</DataArray></Points><Cells><DataArray type="Int64" Name="connectivity">)"
+        R"(0 1 3 2 4 5 7 6</DataArray><DataArray type="Int64" Name="offsets">8</DataArray>)"
+        R"(<DataArray type="UInt8" Name="types">12</DataArray></Cells></Piece>)");
+  };
+  folder.write("a.vtu", box(0));
+  folder.write("b.vtu", box(1));
+  folder.write("both.pvtu", pieces("PUnstructuredGrid", "a.vtu", "b.vtu"));
+  const nlohmann::json report = this->check("both.pvtu");
+  EXPECT_EQ(report["triangles"], 20) << report;
+  EXPECT_EQ(report["nonmanifold_edges"], 0);
+  EXPECT_EQ(report["components_edge"], 1);
+  const std::string queries = folder.write("q.csv", "x,y,z\n1,0.5,0.5\n");
+  const Outcome probe = runProgram(
+    {"probe", folder.path("both.pvtu"), queries, "-o", folder.path("answers.csv"), "--distance"});
+  EXPECT_NE(contentsOf(folder.path("answers.csv")).find("-0.5"), std::string::npos) << probe;
+}
+
 TEST_F(PieceFiles, ThatAreNotThereAreNamed)
 {
   this->writeHalves(".vtp");
@@ -172,7 +274,7 @@ TEST_F(PieceFiles, ThatAreNotThereAreNamed)
   folder.write("a.gltf", gltfOf(R"(,"uri":"gone.bin")"));
   this->expectRefused("a.vtm", "its part gone.vtp is not there");
   this->expectRefused("a.pvtp", "its part gone.vtp is not there");
-  this->expectRefused("a.gltf", "buffer");
+  this->expectRefused("a.gltf", "gone.bin");
 }
 
 TEST_F(PieceFiles, ThatAreDamagedOrOfNewerFormatsAreRefused)

@@ -1,9 +1,9 @@
 #include "files/Formats.h"
 
 #include "files/Text.h"
+#include "files/GltfReader.h"
 
 #include "vtkDataSetReader.h"
-#include "vtkGLTFReader.h"
 #include "vtkSourceReader.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
@@ -38,14 +38,6 @@ vtkSmartPointer<vtkAlgorithm> legacyVtk(const std::string& fileName)
   return reader;
 }
 
-vtkSmartPointer<vtkAlgorithm> gltf(const std::string& fileName)
-{
-  const auto reader = vtkSmartPointer<vtkGLTFReader>::New();
-  reader->SetFileName(fileName.c_str());
-  reader->ApplyDeformationsToGeometryOn(); // and the places of nodes
-  return reader;
-}
-
 constexpr VtkFormat formats[] = {
   {".vtp", true, plain<vtkXMLPolyDataReader>},
   {".vtk", true, legacyVtk},
@@ -53,8 +45,8 @@ constexpr VtkFormat formats[] = {
   {".vtm", true, plain<vtkXMLMultiBlockDataReader>},
   {".pvtp", true, plain<vtkXMLPPolyDataReader>},
   {".pvtu", true, plain<vtkXMLPUnstructuredGridReader>},
-  {".gltf", true, gltf},
-  {".glb", true, gltf},
+  {".gltf", true, plain<GltfReader>},
+  {".glb", true, plain<GltfReader>},
   {".vti", false, plain<vtkXMLImageDataReader>},
   {".vtr", false, plain<vtkXMLRectilinearGridReader>},
   {".vts", false, plain<vtkXMLStructuredGridReader>},
@@ -93,6 +85,12 @@ bool isTable(const std::string& fileName)
 {
   const std::string suffix = suffixOf(fileName);
   return suffix == ".csv" || suffix == ".tsv";
+}
+
+bool hasColumns(const std::string& fileName)
+{
+  const std::string name = unpackedName(fileName), suffix = suffixOf(name);
+  return isTable(name) || suffix == ".xyz" || suffix == ".pwn";
 }
 
 char separatorOf(const std::string& fileName)

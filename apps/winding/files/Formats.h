@@ -17,6 +17,9 @@ std::string unpackedName(const std::string& fileName);
 /// Whether the suffix says that a file is a table: .csv, with commas, or .tsv, with tabs.
 bool isTable(const std::string& fileName);
 
+/// Whether the points of a file are in columns that a user may choose.
+bool hasColumns(const std::string& fileName);
+
 /// Returns the letter between the fields of a table of that name: a tab in .tsv, a comma otherwise.
 char separatorOf(const std::string& fileName);
 

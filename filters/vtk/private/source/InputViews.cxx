@@ -43,6 +43,18 @@ InputViews::InputViews(vtkDataObject* source, const InputOptions& options, Execu
   {
     this->addLeaf(source, "the source");
   }
+  isOfLinesToo_ = true;
+  for (const auto& [leaf, name] : ofLines_)
+  {
+    if (isSurface_)
+    {
+      countLoose(leaf, counts_);
+    }
+    else
+    {
+      this->addLeaf(leaf, name);
+    }
+  }
 }
 
 InputViews::~InputViews() = default;
@@ -69,6 +81,11 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
     checkArrays(points, name);
   }
   const bool isMesh = hasFaces(points);
+  if (!isMesh && !isOfLinesToo_ && isOfLines(points))
+  {
+    ofLines_.emplace_back(points, name);
+    return;
+  }
   const bool isSurface = isMesh && !options_.asPoints;
   if (isSurface)
   {

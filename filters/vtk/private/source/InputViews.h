@@ -139,6 +139,9 @@ private:
   InputOptions options_;
   Executor* executor_;
   bool isSurface_ = false;
+  /// Data sets of lines alone, with their names. They are clouds only where nothing has faces.
+  std::vector<std::pair<vtkSmartPointer<vtkPointSet>, std::string>> ofLines_;
+  bool isOfLinesToo_ = false; ///< whether addLeaf() takes them
   std::vector<vtkSmartPointer<vtkPointSet>> leaves_;
   Identity identity_;
   std::vector<vtkPointSet*> pointSets_;

@@ -5,6 +5,7 @@
 #include "private/source/CurvedCells.h"
 #include "private/source/OuterPolygons.h"
 #include "private/source/OutwardPolygons.h"
+#include "private/source/Seams.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
@@ -170,6 +171,7 @@ vtkSmartPointer<vtkPolyData> outerSurfaceOf(vtkPointSet* mesh, bool keepsPoints,
   }
   vtkSmartPointer<vtkPolyData> surface = straightSurfaceOf(cells);
   counts.turned += turnOutward(cells, surface);
+  surface = withoutSeams(surface, cells);
   if (isCurved)
   {
     std::size_t flat = 0;

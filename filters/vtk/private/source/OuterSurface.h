@@ -50,6 +50,7 @@ vtkSmartPointer<vtkPointSet> ownCellsOf(
  *
  * - A face of a cell with volume is turned away from its own cell. A polyhedron's faces are first
  *   oriented like each other. So any order of nodes will do.
+ * - Cells that touch have no wall between them, whether they share points or not (Seams.h).
  * - Curved faces are divided until they are within a thousandth of the mesh's diagonal of their
  *   shape, or into 32 pieces along each edge. `keepsPoints` has each divided at its own nodes only.
  */
