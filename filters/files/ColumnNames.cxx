@@ -21,8 +21,19 @@ std::string withoutUnit(const std::string& name)
   return part.substr(0, part.find_last_not_of(' ') + 1);
 }
 
+/// A name without what programs put between its words.
+std::string withoutSeparators(std::string name)
+{
+  const auto isSeparator = [](char letter)
+  {
+    return std::string(" _.:-").find(letter) != std::string::npos;
+  };
+  name.erase(std::remove_if(name.begin(), name.end(), isSeparator), name.end());
+  return name;
+}
+
 /// The first columns of these names, one for each component; none where one is missing. The first
-/// synonym that is there counts.
+/// synonym that is there counts, however its words are divided.
 std::vector<std::size_t> columnsNamed(
   const std::vector<Synonyms>& wanted, const std::vector<std::string>& names)
 {
@@ -33,7 +44,8 @@ std::vector<std::size_t> columnsNamed(
     for (auto name = synonyms.begin(); name != synonyms.end() && found == names.end(); ++name)
     {
       found = std::find_if(names.begin(), names.end(),
-        [&name](const std::string& other) { return withoutUnit(other) == *name; });
+        [&name](const std::string& other)
+        { return withoutSeparators(withoutUnit(other)) == withoutSeparators(*name); });
     }
     if (found == names.end())
     {
@@ -178,7 +190,9 @@ std::vector<std::size_t> columnsOf(
   else if (meaning == ColumnMeaning::normals)
   {
     saved = {{"normals:0"}, {"normals:1"}, {"normals:2"}};
-    usual = {{"nx", "normal_x"}, {"ny", "normal_y"}, {"nz", "normal_z"}};
+    usual = {{"nx", "normal_x", "normals_x", "normals_0", "normal_0"},
+      {"ny", "normal_y", "normals_y", "normals_1", "normal_1"},
+      {"nz", "normal_z", "normals_z", "normals_2", "normal_2"}};
   }
   std::vector<std::size_t> columns;
   const std::vector<std::string> wanted = componentsOf(meaning);

@@ -3,6 +3,7 @@
 #include "base/Progress.h"
 #include "files/LineBlocks.h"
 #include "files/OrderedBlocks.h"
+#include "files/Utf8.h"
 #include "files/Words.h"
 
 #include <algorithm>
@@ -10,6 +11,8 @@
 #include <atomic>
 #include <cstring>
 #include <iterator>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace winding
@@ -162,10 +165,10 @@ Counts countsOf(std::string_view text, RegionStarts& regions)
     if (statement == Statement::region)
     {
       std::vector<RegionStart>& ofKind = regions[static_cast<std::size_t>(kind)];
-      const std::string_view name = regionName(lines.rest());
+      std::string name = inUtf8(regionName(lines.rest()));
       if (ofKind.empty() || ofKind.back().name != name) // some programs repeat it for each face
       {
-        ofKind.push_back({static_cast<std::size_t>(counts.cells[2]), std::string(name)});
+        ofKind.push_back({static_cast<std::size_t>(counts.cells[2]), std::move(name)});
       }
     }
     if (statement == Statement::cell)

@@ -50,7 +50,9 @@ bool isBinary(const InputFile& file)
   {
     word = head.find_first_not_of(" \t\r\n", head.find('\n', word));
   }
-  if (word < head.size() && inSmallLetters(head.substr(word, 5)) == "solid")
+  const bool isText =
+    head.find('\0') == std::string::npos || inSmallLetters(head).find("facet") != std::string::npos;
+  if (isText && word < head.size() && inSmallLetters(head.substr(word, 5)) == "solid")
   {
     return false;
   }

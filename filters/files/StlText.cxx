@@ -5,6 +5,7 @@
 #include "files/LineScanner.h"
 #include "files/NamedRegions.h"
 #include "files/OrderedBlocks.h"
+#include "files/Utf8.h"
 #include "files/Words.h"
 
 #include <algorithm>
@@ -49,11 +50,14 @@ constexpr Keyword keywords[] = {
   {"outer", {no, no, before1, no, no, no, no, no, no}},
   {"endloop", {no, no, no, no, no, no, afterLoop, no, no}},
   {"endfacet", {no, no, no, no, no, no, no, inSolid, no}},
-  {"solid", {inSolid, no, no, no, no, no, no, no, no}},
+  {"solid", {inSolid, inSolid, no, no, no, no, no, no, no}}, // some leave endsolid out
   {"endsolid", {no, outside, no, no, no, no, no, no, no}},
   {"color", {no, inSolid, no, no, no, no, no, no, no}},
   {"", {no, no, no, no, no, no, no, no, no}}, // any other
 };
+/// A line that changes nothing.
+constexpr Keyword comment = {
+  "#", {outside, inSolid, inFacet, before1, before2, before3, afterVertices, afterLoop, faulty}};
 constexpr const Keyword& vertexKeyword = keywords[0];
 constexpr const Keyword& endFacetKeyword = keywords[4];
 constexpr const Keyword& solidKeyword = keywords[5];
@@ -73,6 +77,10 @@ bool isWord(std::string_view word, std::string_view small)
 
 const Keyword& keywordOf(std::string_view word)
 {
+  if (!word.empty() && word[0] == '#')
+  {
+    return comment;
+  }
   const Keyword* keyword = keywords;
   while (!keyword->word.empty() && !isWord(word, keyword->word))
   {
@@ -132,9 +140,9 @@ private:
       lines.facets += &keyword == &endFacetKeyword ? 1 : 0;
       if (&keyword == &solidKeyword)
       {
-        lines.solids.push_back({lines.facets, std::string(regionName(scanner.rest()))});
+        lines.solids.push_back({lines.facets, inUtf8(regionName(scanner.rest()))});
       }
-      lines.last = &keyword;
+      lines.last = &keyword == &comment ? lines.last : &keyword;
       for (State& state : lines.after)
       {
         state = keyword.next[state];

@@ -139,6 +139,21 @@ TEST(StlFile, SolidsBehindEachOther)
   const std::string text =
     "solid a\n" + facet(0) + "endsolid a\nsolid b\n" + facet(1) + facet(2) + "endsolid b\n\n";
   expectTriangles(parsed(readStl, text), 3, false);
+  const std::string loose = "solid a\n" + facet(0) + "# the next one\nsolid Geh\xE4use\n" +
+                            facet(1) + facet(2) + "endsolid b\n# the end\n";
+  const MeshArrays mesh = parsed(readStl, loose);
+  expectTriangles(mesh, 3, false);
+  ASSERT_EQ(mesh.regions.size(), 1u);
+  EXPECT_EQ(mesh.regions[0].names, (std::vector<std::string>{"a", "Geh\xC3\xA4use"}));
+}
+
+TEST(StlFile, BinariesMayBeginLikeText)
+{
+  std::string binary = binaryFile(3);
+  binary.replace(0, 6, "solid ");
+  expectTriangles(parsed(readStl, binary), 3, true);
+  EXPECT_EQ(refusalOf(readStl, binary + "x"),
+    "is 235 bytes long, but its 3 triangles take 234; it is damaged, or not STL");
 }
 
 TEST(StlFile, LargeTextIsTheSameForAllExecutors)
@@ -213,8 +228,8 @@ TEST(StlFile, RefusalsOfText)
     "line 6: \"endloop\" stands where vertex should; correct it");
   expect("solid\n" + loop + "facet\nendfacet\nendsolid\n",
     "line 2: \"outer\" stands where facet should; correct it");
-  expect("solid\nfacet\n" + loop + "endfacet\nsolid\nendsolid\n",
-    "line 9: \"solid\" stands where facet should; correct it");
+  expect("solid\nfacet\n" + loop + "endfacet\nouter loop\nendsolid\n",
+    "line 9: \"outer\" stands where facet should; correct it");
   expect("solid\nfoo\nfacet\n" + loop + "endfacet\nendsolid\n",
     "line 2: \"foo\" stands where facet should; correct it");
   expect("solid\nendsolid\nfacet\n" + loop + "endfacet\nendsolid\n",
