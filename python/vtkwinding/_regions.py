@@ -18,7 +18,21 @@ class Regions(NamedTuple):
 
 def names_of_ids(fields, name):
     """The names of an array of regions "...Ids", which "...Names" of VTK's field data has."""
-    array = fields.GetAbstractArray(f"{name[:-3]}Names") if name.endswith("Ids") else None
+    return _texts(fields, f"{name[:-3]}Names") if name.endswith("Ids") else []
+
+
+def names_of_labels(fields):
+    """The names by label that results of labels have in VTK's field data; none if it has none."""
+    names, values = _texts(fields, "LabelNames"), fields.GetArray("LabelValues")
+    if values is None or values.GetNumberOfTuples() != len(names):
+        return []
+    of = {int(values.GetTuple1(i)): name for i, name in enumerate(names)}
+    labels = [label for label in of if 0 <= label <= 65535]
+    return [of.get(label, "") for label in range(max(labels, default=-1) + 1)]
+
+
+def _texts(fields, name):
+    array = fields.GetAbstractArray(name)
     return [array.GetValue(i) for i in range(array.GetNumberOfValues())] if (
         array is not None and array.IsA("vtkStringArray")) else []
 
@@ -48,8 +62,16 @@ def names_of_parts(regions, parts):
             divides = divides or kind
             continue
         found = np.unique(pairs[1])
-        if len(found) < 2 or (kind == "Material" and len(found) < len(pairs[0])):
+        if len(found) < 2:
             continue
+        if kind == "Material" and len(found) < len(pairs[0]):
+            # Bodies of one material are still bodies of their own, with numbers from the second on.
+            counts, numbered = {}, []
+            for region in pairs[1].tolist():
+                counts[region] = counts.get(region, 0) + 1
+                name = name_of(kind, region, regions[kind].names)
+                numbered.append(f"{name} {counts[region]}" if counts[region] > 1 else name)
+            return np.where(are_used, parts, -1), numbered, divides
         numbers = np.where(are_used, np.searchsorted(found, ids), -1)
         return numbers, [name_of(kind, region, regions[kind].names) for region in found.tolist()], (
             divides)

@@ -5,9 +5,11 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
 #include <algorithm>
@@ -77,6 +79,30 @@ vtkStringArray* namesOfIds(vtkFieldData* fields, const std::string& array)
   return vtkStringArray::SafeDownCast(fields->GetAbstractArray(names.c_str()));
 }
 
+/// The names by label that results of vtkWindingNumberLabels have; null if there are none.
+vtkSmartPointer<vtkStringArray> namesOfLabels(vtkFieldData* fields)
+{
+  vtkDataArray* const values = fields ? fields->GetArray("LabelValues") : nullptr;
+  auto* const names =
+    vtkStringArray::SafeDownCast(fields ? fields->GetAbstractArray("LabelNames") : nullptr);
+  if (!values || !names || values->GetNumberOfTuples() != names->GetNumberOfValues())
+  {
+    return nullptr;
+  }
+  constexpr double most = 65535;
+  auto byLabel = vtkSmartPointer<vtkStringArray>::New();
+  vtkIdType i = 0;
+  for (const double value : vtk::DataArrayValueRange(values))
+  {
+    if (value >= 0 && value <= most)
+    {
+      byLabel->InsertValue(static_cast<vtkIdType>(value), names->GetValue(i));
+    }
+    ++i;
+  }
+  return byLabel;
+}
+
 std::string nameOf(int value, const std::string& array, vtkStringArray* names)
 {
   const std::string name =
@@ -137,6 +163,8 @@ void CellRegions::findIntegers(vtkDataArray* integers, vtkIdType first, vtkIdTyp
   std::map<int, std::vector<vtkIdType>> cells;
   std::vector<int> own;
   std::vector<std::string> names;
+  const vtkSmartPointer<vtkStringArray> ofLabels = namesOfLabels(fields);
+  vtkStringArray* const ofIds = namesOfIds(fields, array);
   ranks.agree(
     [&]
     {
@@ -147,7 +175,7 @@ void CellRegions::findIntegers(vtkDataArray* integers, vtkIdType first, vtkIdTyp
       for (const auto& [region, ids] : cells)
       {
         own.push_back(region);
-        names.push_back(nameOf(region, array, namesOfIds(fields, array)));
+        names.push_back(nameOf(region, array, ofIds ? ofIds : ofLabels.Get()));
       }
     });
   const std::vector<int> ofAll = ranks.gather(own, false).numbers;
@@ -193,11 +221,24 @@ std::optional<NamedParts> namesOfParts(vtkPointSet* surface, vtkFieldData* field
       divides = divides.empty() ? array : divides;
       continue;
     }
-    if (regions.size() < 2 || (kind == "Material" && regions.size() < parts.size()))
+    if (regions.size() < 2)
     {
       continue;
     }
     NamedParts result;
+    if (kind == "Material" && regions.size() < parts.size())
+    {
+      // Bodies of one material are still bodies of their own, and get numbers from the second on.
+      std::map<int, int> counts;
+      for (const int region : ofPart)
+      {
+        const int count = ++counts[region];
+        result.ofPart.push_back(result.names.size());
+        result.names.push_back(
+          nameOf(region, kind, names) + (count > 1 ? " " + std::to_string(count) : ""));
+      }
+      return result;
+    }
     for (const int region : regions)
     {
       result.names.push_back(nameOf(region, kind, names));
