@@ -8,6 +8,7 @@
 #include <functional>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 // Surfaces as people have them, whose winding numbers mean something else than their owners expect:
@@ -236,21 +237,50 @@ TEST_F(SurfaceInputs, TerrainIsNoInwardSolid)
   const std::string file = folder.write("terrain.obj", terrain(24));
   const Outcome bare = fieldOf(file);
   EXPECT_EQ(count(bare.err, "the surface is open on a whole side"), 1) << bare;
-  EXPECT_EQ(count(bare.err, "--threshold 0"), 1) << bare;
+  EXPECT_EQ(count(bare.err, "(--sheet-side)"), 1) << bare;
   EXPECT_EQ(count(bare.err, "look inward"), 0) << bare;
   EXPECT_EQ(count(bare.err, "--close-border"), 0) << bare;
   // A surface ends at the border of the grid.
   const Outcome slab = runProgram({"surface", file, "-o", folder.path("slab.vtp")});
-  EXPECT_EQ(count(slab.err, "(--threshold 0, --close-border)"), 1) << slab;
-  const Outcome closed = runProgram(
-    {"surface", file, "-o", folder.path("slab.vtp"), "--threshold", "0", "--close-border"});
-  EXPECT_EQ(closed.err, "");
-  const Outcome checked = runProgram({"check", folder.path("slab.vtp"), "--json"});
-  EXPECT_EQ(checked.json()["boundary_edges"].get<int>(), 0) << checked;
+  EXPECT_EQ(count(slab.err, "(--sheet-side, --close-border)"), 1) << slab;
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--threshold", "0"},
+         {"--sheet-side", "down"}, {"--flat-base", "z=-0.1"}})
+  {
+    std::vector<std::string> arguments = {
+      "surface", file, "-o", folder.path("slab.vtp"), "--close-border"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome closed = runProgram(arguments);
+    EXPECT_EQ(closed.err, "");
+    const Outcome checked = runProgram({"check", folder.path("slab.vtp"), "--json"});
+    EXPECT_EQ(checked.json()["boundary_edges"].get<int>(), 0) << checked;
+  }
   EXPECT_NE(runProgram({"check", file}).out.find("open on a whole side"), std::string::npos);
   // Then all that lies below is inside.
   EXPECT_GT(windingAt(file, {0.5, 0.5, 0.02}), 0);
   EXPECT_LT(windingAt(file, {0.5, 0.5, 0.4}), 0);
+  EXPECT_GT(windingAt(file, {0.5, 0.5, 0.02}, {"--sheet-side", "down"}), 0.5);
+  EXPECT_LT(windingAt(file, {0.5, 0.5, 0.02}, {"--sheet-side", "up"}), 0.5);
+  EXPECT_EQ(windingAt(file, {0.5, 0.5, 0.02}, {"--flat-base", "z=-1"}), 1);
+  EXPECT_EQ(windingAt(file, {0.5, 0.5, 0.4}, {"--flat-base", "z=-1"}), 0);
+}
+
+TEST_F(SurfaceInputs, WrongPlanesAndSidesAreRefused)
+{
+  const std::string file = folder.write("terrain.obj", terrain(4));
+  for (const auto& [option, value, says] :
+    {std::tuple<const char*, const char*, const char*>{"--mirror", "up", "--mirror is no plane"},
+      {"--flat-base", "z", "--flat-base is no side"},
+      {"--sheet-side", "z=0", "--sheet-side is no direction"},
+      {"--weld-tolerance", "-1", "--weld-tolerance is -1"}})
+  {
+    const Outcome run =
+      runProgram({"field", file, "-o", folder.path("refused.vti"), option, value});
+    EXPECT_NE(run.status, 0) << run;
+    EXPECT_EQ(count(run.err, says), 1) << run;
+  }
+  // A base that closes nothing says so.
+  const Outcome idle = fieldOf(file, {"--flat-base", "+x"});
+  EXPECT_EQ(count(idle.err, "--flat-base closes nothing"), 1) << idle;
 }
 
 TEST_F(SurfaceInputs, AHalfHullNamesThePlanesWhereItIsOpen)
@@ -271,7 +301,16 @@ TEST_F(SurfaceInputs, AHalfHullNamesThePlanesWhereItIsOpen)
   const std::string hull = folder.write("hull.obj", ::asObj(quarter));
   const Outcome check = runProgram({"check", hull});
   EXPECT_NE(check.out.find("at y = 0 and z = 0"), std::string::npos) << check;
-  EXPECT_NE(check.out.find("its mirror image"), std::string::npos) << check;
+  EXPECT_NE(check.out.find("(--flat-base, --mirror)"), std::string::npos) << check;
+  // Two images make the whole ball.
+  const nlohmann::json whole =
+    runProgram({"check", hull, "--mirror", "y=0", "--mirror", "z=0", "--json"}).json();
+  EXPECT_EQ(whole["closed"], true);
+  EXPECT_EQ(whole["euler"], 2);
+  const nlohmann::json based =
+    runProgram({"check", hull, "--mirror", "y=0", "--flat-base", "z=0", "--json"}).json();
+  EXPECT_EQ(based["closed"], true);
+  EXPECT_NEAR(based["volume"].get<double>(), whole["volume"].get<double>() / 2, 1e-9);
   EXPECT_EQ(count(fieldOf(hull).err, "at y = 0 and z = 0"), 1);
 }
 

@@ -16,6 +16,8 @@
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace
@@ -104,7 +106,11 @@ void readToward(Options& options, Messages& messages)
   const auto positions = readPoints(options.towardFile, messages);
   for (vtkIdType i = 0; i < positions->GetNumberOfPoints(); ++i)
   {
-    options.toward += (i > 0 ? ";" : "") + exact(positions->GetPoint(i), ' ');
+    const double* const position = positions->GetPoint(i);
+    if (std::all_of(position, position + 3, [](double at) { return std::isfinite(at); }))
+    {
+      options.toward += (options.toward.empty() ? "" : ";") + exact(position, ' ');
+    }
   }
   if (options.toward.empty())
   {

@@ -58,9 +58,17 @@ void checkColumns(const std::function<bool(const std::string&)>& isColumn, const
   }
 }
 
+/// The columns of the queries: their own choice, or the one for a source without columns.
+const std::string& columnsOfQueries(const Options& options)
+{
+  const bool isOfSource = std::any_of(options.inputs.begin(), options.inputs.end(), hasColumns);
+  return options.queryColumns.empty() && !isOfSource ? options.columns : options.queryColumns;
+}
+
 /// Reads the queries into a place where they stay.
 void takeQueries(const Options& options, Messages& messages, Queries& queries)
 {
+  const std::string& columns = columnsOfQueries(options);
   const std::string unpacked = unpackedName(options.queries);
   if (isTable(unpacked))
   {
@@ -72,7 +80,7 @@ void takeQueries(const Options& options, Messages& messages, Queries& queries)
           suffixOf(unpacked));
     }
     const auto with = isHandedOn ? QueryTable::With::rows : QueryTable::With::columns;
-    queries.table.emplace(options.queries, with, options.columns, messages);
+    queries.table.emplace(options.queries, with, columns, messages);
     checkColumns([&](const std::string& name) { return queries.table->hasColumn(name); }, options);
     queries.points = queries.table->points();
     return;
@@ -82,7 +90,7 @@ void takeQueries(const Options& options, Messages& messages, Queries& queries)
     checkColumns(
       [](const std::string& name) { return name == "x" || name == "y" || name == "z"; }, options);
   }
-  queries.points = readQueries(options.queries, messages, {options.columns, true});
+  queries.points = readQueries(options.queries, messages, {columns, true});
 }
 
 void printReport(const Options& options, vtkWindingNumberProbe& probe, const ProbeAnswer& probed,

@@ -237,17 +237,12 @@ void checkLabels(const Options& options, const WasGiven& wasGiven)
 /// Throws Failure for columns where no file that is read has some.
 void checkColumns(const Options& options)
 {
-  std::vector<std::string> files = options.inputs;
-  files.push_back(options.queries);
-  requireUsage(options.columns.empty() || std::any_of(files.begin(), files.end(),
-                                            [](const std::string& file)
-                                            {
-                                              const std::string suffix =
-                                                suffixOf(unpackedName(file));
-                                              return suffix == ".csv" || suffix == ".tsv" ||
-                                                     suffix == ".xyz" || suffix == ".pwn";
-                                            }),
+  const bool isOfSource = std::any_of(options.inputs.begin(), options.inputs.end(), hasColumns);
+  const bool isOfQueries = hasColumns(options.queries);
+  requireUsage(options.columns.empty() || isOfSource || isOfQueries,
     "--columns is for .csv .tsv .xyz .pwn; leave it out");
+  requireUsage(options.queryColumns.empty() || isOfQueries,
+    "--query-columns is for queries of .csv .tsv .xyz .pwn; leave it out");
 }
 
 } // namespace

@@ -54,26 +54,27 @@ void addGrid(CLI::App* command, Options& options)
   }
 }
 
-/// Adds which columns of tables are read.
-void addColumns(CLI::App* command, Options& options)
+/// Adds the columns of tables, which `name` chooses into `columns`.
+void addColumns(
+  CLI::App* command, std::string& columns, const std::string& name, const std::string& of)
 {
   command
     ->add_option_function<std::vector<std::string>>(
-      "--columns",
-      [&options](const std::vector<std::string>& words)
+      name,
+      [&columns, name](const std::vector<std::string>& words)
       {
         for (const std::string& word : words)
         {
           if (word.find('=') == std::string::npos)
           {
-            throw CLI::ValidationError(
-              "--columns", word + " is not like x=Easting; give the files first");
+            throw CLI::ValidationError(name, word + " is not like x=Easting; give the files first");
           }
-          options.columns += (options.columns.empty() ? "" : " ") + word;
+          columns += (columns.empty() ? "" : " ") + word;
         }
       },
-      "Columns of .csv .tsv .xyz .pwn by names, or by numbers from 1 on: x=Easting y=Northing "
-      "z=Height nx=4 ny=5 nz=6 area=7")
+      "Columns of " + of +
+        ".csv .tsv .xyz .pwn by names, or by numbers from 1 on: x=Easting "
+        "y=Northing z=Height nx=4 ny=5 nz=6 area=7")
     ->type_name("NAME=COLUMN...");
 }
 
@@ -119,7 +120,7 @@ void addInputs(CLI::App* command, Options& options)
     ->add_option("IN", options.inputs, "Surfaces or oriented points, " + several + inputSuffixes())
     ->required()
     ->type_name("");
-  addColumns(command, options);
+  addColumns(command, options.columns, "--columns", "");
 }
 
 void addInputsAndQueries(CLI::App* command, Options& options)
@@ -131,7 +132,8 @@ void addInputsAndQueries(CLI::App* command, Options& options)
         inputSuffixes() + "; QUERIES may also be an image or a grid: " + imageSuffixes())
     ->required()
     ->type_name("");
-  addColumns(command, options);
+  addColumns(command, options.columns, "--columns", "the source, or of queries about a mesh, ");
+  addColumns(command, options.queryColumns, "--query-columns", "the queries, ");
 }
 
 void addPointsInput(CLI::App* command, Options& options)
@@ -140,7 +142,7 @@ void addPointsInput(CLI::App* command, Options& options)
     ->required()
     ->expected(1)
     ->type_name("");
-  addColumns(command, options);
+  addColumns(command, options.columns, "--columns", "");
 }
 
 void addOutput(CLI::App* command, Options& options, const std::string& suffixes)

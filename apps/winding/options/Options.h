@@ -10,7 +10,8 @@ struct Options
   std::vector<std::string> inputs; ///< the files that are read, one or more, without queries
   std::string input;               ///< names all of them in messages
   std::string queries;
-  std::string columns; ///< of the tables that are read; empty for the usual names
+  std::string columns;      ///< of the tables that are read; empty for the usual names
+  std::string queryColumns; ///< of the queries
   std::string output;
   bool overwrite = false; ///< whether an output may replace a file that is read
 
