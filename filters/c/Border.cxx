@@ -1,12 +1,8 @@
 #include "Border.h"
 
-#include "cloud/Viewpoints.h"
 #include "messages/PropertyChecks.h"
 #include "source/Sanitize.h"
 #include "source/SnappedPoints.h"
-#include "surface/FlatBase.h"
-#include "surface/Mirror.h"
-#include "surface/SheetSide.h"
 
 #include <cmath>
 #include <limits>
@@ -265,15 +261,17 @@ FieldOptions optionsOf(const winding_options* options)
   result.mirror = wished.mirror ? wished.mirror : "";
   result.flatBase = wished.flat_base ? wished.flat_base : "";
   result.sheetSide = wished.sheet_side ? wished.sheet_side : "";
-  // These refuse what is none.
-  Viewpoints(result.toward);
-  Mirror(result.mirror);
-  FlatBase(result.flatBase);
-  sheetSideIn(result.sheetSide);
   result.orientFaces = wished.orient_faces != 0;
   result.ignoreOpenParts = wished.ignore_open_parts != 0;
   result.scattered = wished.scattered != 0;
-  return result;
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  const Eigen::Matrix3d inverseAxes = wished.frame
+                                        ? Eigen::Matrix3d(Eigen::Map<const RowMajor>(wished.frame))
+                                        : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  const Eigen::Vector3d origin =
+    wished.frame ? Eigen::Vector3d(wished.frame + 9) : Eigen::Vector3d(0, 0, 0);
+  const FieldOptions inFrame = optionsAlong(result, inverseAxes, origin); // refuses wrong texts
+  return wished.frame ? inFrame : result;
 }
 
 double toleranceOf(const winding_options* options)

@@ -5,7 +5,7 @@
 #include "surface/CompletedSurface.h"
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
 #include <vector>
 
 using namespace winding::c;
@@ -58,5 +58,26 @@ winding_status winding_complete(winding_array points, const winding_polygons* po
             made.doublePoints.insert(made.doublePoints.end(), vertex.data(), vertex.data() + 3);
           }
         });
+    });
+}
+
+winding_status winding_complete_bounds(
+  const winding_options* options, double* bounds, winding_refusal* refusal)
+{
+  return guarded(nullptr, refusal,
+    [&]
+    {
+      const winding::FieldOptions wished = optionsOf(options);
+      required(bounds, "bounds");
+      const winding::Bounds given(Eigen::Vector3d(bounds[0], bounds[2], bounds[4]),
+        Eigen::Vector3d(bounds[1], bounds[3], bounds[5]));
+      const winding::Bounds completed =
+        winding::FlatBase(wished.flatBase)
+          .completed(winding::Mirror(wished.mirror).completed(given));
+      for (int axis = 0; axis < 3 && !given.isEmpty(); ++axis)
+      {
+        bounds[2 * axis] = completed.min()[axis];
+        bounds[2 * axis + 1] = completed.max()[axis];
+      }
     });
 }

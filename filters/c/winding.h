@@ -187,13 +187,13 @@ extern "C"
      */
     const char* toward;
     /**
-     * The planes of symmetry of which the source is one side, "y=0" or "x=0 y=0", or "1 1 0 = 3" for
-     * x + y = 3: its mirror images belong to it. It is copied. Default: null, none
+     * The planes of symmetry of a source that is one side of them, "y=0" or "x=0 y=0", or
+     * "1 1 0 = 3" for x + y = 3. Its mirror images are added. It is copied. Default: null, none
      */
     const char* mirror;
     /**
-     * The flat base of a surface that is open on one side. A direction as for `toward` puts it where
-     * the surface ends, a plane as "z=-5" puts it there. It is copied. Default: null, none
+     * The flat base of a surface that is open on one side. A direction as for `toward` puts it at
+     * the end of the surface, a plane as "z=-5" puts it there. It is copied. Default: null, none
      */
     const char* flat_base;
     /**
@@ -203,6 +203,12 @@ extern "C"
     const char* sheet_side;
     /** The distance up to which points of a surface are made one, see winding_weld(). Default: 0 */
     double weld_tolerance;
+    /**
+     * The coordinates in which points are given, where the texts above are about space: twelve
+     * numbers, the inverse of the axes by rows, then the origin. They are copied. Default: null,
+     * points are given in space
+     */
+    const double* frame;
   } winding_options;
 
   /**
@@ -768,7 +774,7 @@ extern "C"
     const winding_run* run, double* welded, winding_refusal* refusal);
 
   /**
-   * Adds to a surface what options say that it lacks: points are welded, and the triangles get their
+   * Adds to a surface what options say that it lacks: points are welded, and triangles get their
    * mirror images and walls with a flat base.
    *
    * @param points three coordinates in each row
@@ -781,6 +787,17 @@ extern "C"
   WINDING_API winding_status winding_complete(winding_array points,
     const winding_polygons* polygons, const winding_options* options, const winding_run* run,
     winding_mesh** mesh, winding_refusal* refusal);
+
+  /**
+   * Finds the bounds of a source once it has what options say that it lacks: grids lie around them.
+   *
+   * @param options `mirror` and `flat_base` are looked at; null for the defaults
+   * @param bounds the bounds of the source as it is, least and largest x, then y, then z; receives
+   *   the bounds of the completed source. Empty ones, with a least beyond their largest, stay so
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_complete_bounds(
+    const winding_options* options, double* bounds, winding_refusal* refusal);
 
   /**
    * Examines a surface. Advice comes as warnings, the most important first.

@@ -163,7 +163,7 @@ public:
   ///@}
 
   ///@{
-  /// What completes a surface before it is examined, with the meaning and the defaults of
+  /// Additions to a surface before it is examined, with the meaning and the defaults of
   /// vtkWindingNumberAlgorithm. The report and the second output are about the completed surface,
   /// and the first output is the input.
   vtkSetStringMacro(Mirror);

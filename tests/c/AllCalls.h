@@ -158,6 +158,21 @@ inline const Call allCalls[] = {
       return winding_verify(a.field.get(), &a.grid, nullptr,
         {a.floats.data(), samples, 0, WINDING_FLOAT32}, 10, &a.run, &found, &a.refusal);
     }},
+  {"winding_weld",
+    [](Arguments& a)
+    { return winding_weld(a.points, 0.01, &a.run, a.doubles.data(), &a.refusal); }},
+  {"winding_complete",
+    [](Arguments& a)
+    {
+      return winding_complete(
+        a.points, &a.polygons, &a.options, &a.run, &a.madeMesh, &a.refusal);
+    }},
+  {"winding_complete_bounds",
+    [](Arguments& a)
+    {
+      double bounds[6] = {0, 1, 0, 1, 0, 1};
+      return winding_complete_bounds(&a.options, bounds, &a.refusal);
+    }},
   {"winding_examine",
     [](Arguments& a)
     {

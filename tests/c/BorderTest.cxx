@@ -77,7 +77,7 @@ TEST(Border, RefusesWhatIsNoArray)
                              "winding_open_parts winding_faults winding_vertices winding_examine "
                              "winding_orient winding_examine_points "
                              "winding_orient_normals winding_estimate_normals "
-                             "winding_point_areas";
+                             "winding_point_areas winding_weld winding_complete";
   expectMisuse([](Arguments& a) { a.points.data = nullptr; }, points);
   expectMisuse([](Arguments& a) { a.points.type = WINDING_INT32; }, points);
   expectMisuse([](Arguments& a) { a.points.type = 99; }, points);
@@ -87,7 +87,7 @@ TEST(Border, RefusesWhatIsNoArray)
   expectMisuse(
     [](Arguments& a) { a.points.stride = std::numeric_limits<std::int64_t>::max() / 2; }, points);
   const std::string polygons = "winding_faces winding_solids winding_open_parts winding_faults "
-                               "winding_vertices winding_examine winding_orient";
+                               "winding_vertices winding_examine winding_orient winding_complete";
   expectMisuse([](Arguments& a) { a.polygons.corners.data = nullptr; }, polygons);
   expectMisuse([](Arguments& a) { a.polygons.corners.type = WINDING_FLOAT64; }, polygons);
   expectMisuse([](Arguments& a) { a.polygons.corners.stride = 1; }, polygons);
@@ -100,7 +100,8 @@ TEST(Border, RefusesStructsWithoutASizeAndNullPointers)
   expectMisuse([](Arguments& a) { a.rule.size = 3; },
     "winding_evaluate_grid winding_evaluate_points winding_level_surface winding_label");
   expectMisuse([](Arguments& a) { a.options.size = 0; },
-    "winding_faces winding_points winding_estimate_normals winding_point_areas");
+    "winding_faces winding_points winding_estimate_normals winding_point_areas winding_complete "
+    "winding_complete_bounds");
   expectMisuse([](Arguments& a) { a.field.reset(); },
     "winding_evaluate_grid winding_evaluate_points winding_level_surface winding_label");
   const auto spoilGrid = "winding_evaluate_grid winding_level_surface winding_voxel_surface "

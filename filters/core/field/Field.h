@@ -76,7 +76,7 @@ struct FieldOptions
   bool orientFaces = false;
   /// Whether open parts inside of closed ones are left out (OpenParts.h), after that.
   bool ignoreOpenParts = false;
-  /// The planes of symmetry of which the source is one side (Mirror.h). Empty: none.
+  /// The planes of symmetry, where the source is one side of them (Mirror.h). Empty: none.
   std::string mirror;
   /// The base that closes a surface that is open on one side (FlatBase.h). Empty: none.
   std::string flatBase;
@@ -98,6 +98,12 @@ struct FieldOptions
   }
 };
 
+/// Returns options whose texts are about space for a source in other coordinates: those that begin
+/// at `origin`, along axes at right angles with this inverse. Throws Refusal for texts that are not
+/// right.
+FieldOptions optionsAlong(const FieldOptions& options, const Eigen::Matrix3d& inverseAxes,
+  const Eigen::Vector3d& origin);
+
 /// The make-up of a field and the way it will be evaluated: for reports, not for computing.
 struct FieldInfo
 {
@@ -117,7 +123,7 @@ struct FieldInfo
   /// The number that values have in addition to the sum: ½ for sheets that divide space, which a
   /// half sphere at infinity closes (SheetSide.h).
   double added = 0;
-  double sheetHeight = 0; ///< coordinate of the middle of such sheets along the side that is inside
+  double sheetHeight = 0; ///< coordinate of their middle along the side that is inside
   /// Whether no side is inside, which a warning says: all faces are there in both senses, or all
   /// normals are equal.
   bool hasNoSides = false;

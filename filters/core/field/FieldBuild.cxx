@@ -1,10 +1,27 @@
+#include "base/Directions.h"
 #include "base/Executor.h"
 #include "base/Views.h"
+#include "cloud/Viewpoints.h"
 #include "field/CloudField.h"
 #include "field/SurfaceField.h"
+#include "surface/FlatBase.h"
+#include "surface/Mirror.h"
+#include "surface/SheetSide.h"
 
 namespace winding
 {
+
+FieldOptions optionsAlong(
+  const FieldOptions& options, const Eigen::Matrix3d& inverseAxes, const Eigen::Vector3d& origin)
+{
+  const Eigen::Vector3d side = sheetSideIn(options.sheetSide);
+  FieldOptions result = options;
+  result.toward = Viewpoints(options.toward).textAlong(inverseAxes, origin);
+  result.mirror = textAlong(Mirror(options.mirror).planes(), inverseAxes, origin);
+  result.flatBase = FlatBase(options.flatBase).along(inverseAxes, origin);
+  result.sheetSide = side.isZero() ? "" : "direction " + textOf(inverseAxes * side);
+  return result;
+}
 
 std::shared_ptr<const Field> Field::build(
   const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)

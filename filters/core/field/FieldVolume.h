@@ -14,7 +14,7 @@ inline double volumeOf(const Field& field)
                            : 0;
 }
 
-/// The size of a solid, by which nested ones are told from each other. Sheets that divide space
+/// The size of a solid, which orders nested ones. Sheets that divide space
 /// (SheetSide.h) are larger than all solids that end; of two, the one farther to its side is the
 /// smaller.
 struct SolidSize

@@ -15,10 +15,10 @@ namespace winding
 namespace
 {
 
-[[noreturn]] void refuse(Parameter subject)
+[[noreturn]] void refuse(Parameter subject, const std::string& what)
 {
-  Message message(subject, "is no plane");
-  message.remedies = {{"give one as y=0, or as A B C=D for Ax + By + Cz = D", {}}};
+  Message message(subject, "is no " + what);
+  message.remedies = {{"give a plane as y=0, or as A B C=D for Ax + By + Cz = D", {}}};
   throw Refusal(std::move(message));
 }
 
@@ -64,7 +64,7 @@ std::vector<Eigen::Vector3d> cornersOf(const Bounds& bounds)
   return corners;
 }
 
-std::vector<Plane> planesIn(const std::string& text, Parameter subject)
+std::vector<Plane> planesIn(const std::string& text, Parameter subject, const std::string& what)
 {
   const std::vector<std::string> words = wordsOf(text);
   std::vector<Plane> planes;
@@ -74,7 +74,7 @@ std::vector<Plane> planesIn(const std::string& text, Parameter subject)
     const std::size_t equals = i + (isAxis ? 1 : 3);
     if (equals + 1 >= words.size() || words[equals] != "=")
     {
-      refuse(subject);
+      refuse(subject, what);
     }
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     if (isAxis)
@@ -91,7 +91,7 @@ std::vector<Plane> planesIn(const std::string& text, Parameter subject)
     if (offset.size() != 1 || !(length > 0) || !std::isfinite(length) ||
         !std::isfinite(offset[0] / length))
     {
-      refuse(subject);
+      refuse(subject, what);
     }
     planes.push_back({normal / length, offset[0] / length});
     i = equals + 2;

@@ -32,9 +32,11 @@ struct Plane
 /// Returns the corners of bounds.
 std::vector<Eigen::Vector3d> cornersOf(const Bounds& bounds);
 
-/// Returns the planes in a text, none for an empty one: "y = 0" and "1 1 0 = 3", which is x + y = 3,
-/// with blanks, commas or semicolons between them. Throws Refusal that names `subject`.
-std::vector<Plane> planesIn(const std::string& text, Parameter subject);
+/// Returns the planes in a text, none for an empty one: "y = 0" or "1 1 0 = 3", which is x + y = 3.
+/// Several have blanks, commas or semicolons between them. Throws Refusal that names `subject` and
+/// says that it is no `what`.
+std::vector<Plane> planesIn(
+  const std::string& text, Parameter subject, const std::string& what = "plane");
 
 /// Returns the text of the same planes in coordinates that begin at `origin`, along axes at right
 /// angles with this inverse.

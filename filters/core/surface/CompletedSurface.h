@@ -11,7 +11,7 @@
 namespace winding
 {
 
-/// A surface with its mirror images and its base, as a field has it that is told of both.
+/// A surface with its mirror images and its base, as a field with these options has it.
 struct CompletedSurface
 {
   Surface surface;

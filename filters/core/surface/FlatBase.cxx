@@ -73,7 +73,7 @@ FlatBase::FlatBase(const std::string& text)
   {
     return;
   }
-  const std::vector<Plane> planes = planesIn(text, Parameter::flatBase);
+  const std::vector<Plane> planes = planesIn(text, Parameter::flatBase, "side and no plane");
   if (planes.size() > 1)
   {
     throw Refusal(Message(Parameter::flatBase, "has more than one plane"));

@@ -12,8 +12,8 @@ namespace winding
 {
 
 /**
- * The planes of symmetry of a source of which a part is given, as half a hull. The source gets its
- * mirror image at each plane in turn, so that two planes make four of a quarter.
+ * The planes of symmetry of a whole, for a source that is one side of them, as half a hull. It gets
+ * its mirror image at each plane in turn, so that two planes make four of a quarter.
  *
  * Vertices within a millionth of the bounds' longest side from a plane are their own images, so
  * that both halves meet there. Triangles that lie in the plane, as lids of closed halves, would

@@ -257,7 +257,7 @@ TriangleList planeCapOf(
     }
     (areaOf(polygons[i]) >= 0 ? outer : holes).push_back(i);
   }
-  // From the right to the left, so that bridges do not cross.
+  // Bridges that are made from the right to the left do not cross.
   const auto rightOf = [&polygons](std::size_t i)
   {
     double most = -std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
-/// What completes a surface or a cloud by its owner's word: planes of symmetry, a flat base, the
-/// side of a sheet, and points that are made one.
+/// Surfaces and clouds that their owner completes: planes of symmetry, a flat base, the side of a
+/// sheet, and points that are made one.
 
 #include "base/Refusal.h"
 #include "field/Field.h"

@@ -24,9 +24,9 @@ struct SourceReport
   vtkSmartPointer<vtkMultiBlockDataSet> faults;
 };
 
-/// Makes the report on a source, which `completion` completes if it is a surface: its mirror and its
-/// base. `cells` counts the source's, and `fix` says how its polygons have been turned before: null
-/// if that was not asked for. The core's exceptions pass through.
+/// Makes the report on a source. `completion` has the mirror and the base of a surface. `cells`
+/// counts the source's, and `fix` says how its polygons have been turned before: null if that was
+/// not asked for. The core's exceptions pass through.
 SourceReport reportOn(InputViews& source, const FieldOptions& completion, const FaultShape& shape,
   const CellCounts& cells, const OrientedPolygons* fix, Executor& executor);
 

@@ -28,8 +28,8 @@ struct OrientedPolygons
  * all other cells stay as they are, and a leaf in which nothing changes is the one that came in.
  * Ghost cells are not looked at, and stay.
  *
- * Points up to `weldTolerance` from each other are one for this. Throws Refusal if all triangles are
- * unusable, and Interrupted.
+ * Points up to `weldTolerance` from each other are one for this. Throws Refusal if all triangles
+ * are unusable, and Interrupted.
  */
 OrientedPolygons orientPolygons(const std::vector<vtkSmartPointer<vtkPolyData>>& leaves,
   double weldTolerance, Executor& executor);

@@ -1,15 +1,12 @@
 #include "private/source/SourceField.h"
 
-#include "base/Directions.h"
 #include "base/Refusal.h"
-#include "cloud/Viewpoints.h"
 #include "private/source/ContentHash.h"
 #include "private/source/FramedViews.h"
 #include "private/source/SourceMemory.h"
 #include "source/Sanitize.h"
 #include "surface/FlatBase.h"
 #include "surface/Mirror.h"
-#include "surface/SheetSide.h"
 
 #include <optional>
 #include <string>
@@ -75,16 +72,9 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
     else
     {
       FramedViews framed(frame_);
-      FieldOptions field = options.field;
-      if (!frame_.isStraight())
-      {
-        const auto& [axes, origin] = frame_;
-        const Eigen::Vector3d side = sheetSideIn(field.sheetSide);
-        field.toward = Viewpoints(field.toward).textAlong(axes, origin);
-        field.mirror = textAlong(Mirror(field.mirror).planes(), axes, origin);
-        field.flatBase = FlatBase(field.flatBase).along(axes, origin);
-        field.sheetSide = side.isZero() ? "" : "direction " + textOf(axes * side);
-      }
+      const FieldOptions field = frame_.isStraight()
+                                   ? options.field
+                                   : optionsAlong(options.field, frame_.inverseAxes, frame_.origin);
       field_ = views->isSurface() || views->isEmpty()
                  ? Field::build(framed.of(views->triangles()), field, executor)
                  : Field::build(framed.of(views->orientedPoints()), field, executor);
