@@ -78,7 +78,9 @@ class Options(Sized):
                 ("normal_estimation", _int32), ("orient_faces", _int32),
                 ("ignore_open_parts", _int32), ("scattered", _int32),
                 ("source_as_points", _int32), ("mean_point_area", _int32),
-                ("toward", ctypes.c_char_p)]
+                ("toward", ctypes.c_char_p), ("mirror", ctypes.c_char_p),
+                ("flat_base", ctypes.c_char_p), ("sheet_side", ctypes.c_char_p),
+                ("weld_tolerance", _double), ("frame", ctypes.POINTER(_double))]
 
 
 class FieldInfo(Sized):

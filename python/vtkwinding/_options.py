@@ -77,6 +77,14 @@ def threads(n_threads):
     return 0 if n_threads is None else integer("n_threads", n_threads, 1, 2**31 - 1)
 
 
+def words(name, value):
+    """The bytes of a text, which may be None."""
+    found = "" if value is None else text(name, value)
+    if "\0" in found:
+        raise ValueError(f"{name} must be without null characters")
+    return found.encode()
+
+
 def viewpoints(value):
     """The text of one or several positions, or of a direction, that normals look toward."""
     if value is None or isinstance(value, str):
@@ -87,6 +95,4 @@ def viewpoints(value):
             raise ValueError(f"toward must be a str or have the shape (3,) or (N, 3), not "
                              f"{positions.shape}")
         text_of = "; ".join(" ".join(map(repr, row)) for row in positions.reshape(-1, 3).tolist())
-    if "\0" in text_of:
-        raise ValueError("toward must be without null characters")
-    return text_of.encode()
+    return words("toward", text_of)

@@ -1,5 +1,7 @@
 """Parts of data sets of VTK that are inside: cells that are kept whole, and cells that are cut."""
 
+import ctypes
+
 import numpy as np
 
 from . import _datasets, _library, _options
@@ -50,6 +52,8 @@ class Frame:
         self.inverse_axes = np.stack([across, np.cross(z, x), np.cross(x, y)]) / volume
         self.origin = np.array(origin, float)
         self.is_mirrored = volume < 0
+        # As options of the library have it.
+        self.numbers = (ctypes.c_double * 12)(*self.inverse_axes.ravel(), *self.origin)
 
     def positions(self, points):
         return self.directions(np.asarray(points, float) - self.origin)
@@ -58,25 +62,6 @@ class Frame:
         with np.errstate(invalid="ignore"):  # points that nothing uses may be infinite
             x, y, z = np.asarray(vectors, float).T
             return np.stack([row[0] * x + row[1] * y + row[2] * z for row in self.inverse_axes], 1)
-
-    def toward(self, text):
-        """The text of viewpoints (the option toward) in these coordinates."""
-        words = {"up": "+z", "down": "-z"}
-        word = text.strip()
-        word = words.get(word, word)
-        if len(word) == 2 and word[0] in "+-" and word[1] in "xyz":
-            unit = [0, 0, 0]
-            unit["xyz".index(word[1])] = 1 if word[0] == "+" else -1
-            word = "direction " + " ".join(map(str, unit))
-        is_direction, found = word.startswith("direction "), []
-        for one in word.removeprefix("direction ").split(";"):
-            try:
-                vector = np.array([[float(number) for number in one.replace(",", " ").split()]])
-                moved = self.directions(vector) if is_direction else self.positions(vector)
-            except ValueError:
-                return text  # the library refuses it
-            found.append(" ".join(repr(float(number)) for number in moved[0]))
-        return ("direction " if is_direction else "") + "; ".join(found) if word else text
 
     def __eq__(self, other):
         return isinstance(other, Frame) and (

@@ -21,6 +21,10 @@ class FieldOptions(TypedDict, total=False):
     as_points: bool
     orient_faces: bool
     ignore_open_parts: bool
+    mirror: str | None
+    flat_base: str | None
+    sheet_side: str | None
+    weld_tolerance: float
     estimate_normals: bool
     normal_estimation: str
     toward: str | ArrayLike | None

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import _datasets, _library, _options, _parts
+from . import _datasets, _library, _parts
 from ._checks import check_grid
 from ._errors import WindingError
 from ._outward import inward_polygons
@@ -132,7 +132,15 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
     """
     leaves, loose, left_out, turned = [], 0, 0, 0
     is_surface = None
+    found, of_lines = [], []
     for name, leaf in _datasets.leaves_of(data):
+        (of_lines if _datasets.is_of_lines(leaf) else found).append((name, leaf))
+    if any(leaf.IsA("vtkPointSet") and _datasets.has_faces(leaf) for _, leaf in found) and (
+            not as_points):
+        loose = sum(leaf.GetNumberOfCells() for _, leaf in of_lines)
+    else:
+        found += of_lines
+    for name, leaf in found:
         if not leaf.IsA("vtkPointSet"):
             raise WindingError(f"{name} is a {leaf.GetClassName()}, no surface or points: extract a "
                                "surface first, as by Contour")
@@ -296,6 +304,7 @@ def _outer_surface(mesh, surface_cells, name):
         attributes.AddArray(_datasets.vtk_array_of(mesh, _OWNERS, np.arange(count)))
     level = _level_for(numbered) if is_curved else 0
     surface, turned = _looking_outward(cells, _surface_at(numbered, level), is_curved)
+    surface = _without_seams(cells, surface)
     surface.GetCellData().RemoveArray(_OWNERS)
     surface.GetPointData().RemoveArray(_OWNERS)
     return surface, (loose, left_out, turned)
@@ -364,6 +373,49 @@ def _looking_outward(mesh, surface, is_curved):
     return surface, len(np.unique(owners[are_inward]))
 
 
+def _without_seams(mesh, surface):
+    """The outer surface of a mesh without polygons that are there in both senses: they are between
+    cells that touch but share no points, as those of the pieces of a file."""
+    owners = _datasets.array_of(mesh, surface.GetCellData().GetArray(_OWNERS))
+    before = surface.GetNumberOfVerts() + surface.GetNumberOfLines()
+    points = np.ascontiguousarray(
+        _datasets.floats_of(mesh, surface.GetPoints().GetData())) + 0.0  # no -0
+    rows = points.view(np.dtype((np.void, 3 * points.itemsize))).ravel()
+    places, places_of, counts = np.unique(rows, return_inverse=True, return_counts=True)
+    if len(places) == len(rows):
+        return surface
+    corners, offsets = _datasets.cells_of(mesh, surface.GetPolys())
+    sizes = np.diff(offsets)
+    places_of = places_of.ravel()
+    are_shared = np.logical_and.reduceat(counts[places_of[corners]] > 1, offsets[:-1]) if (
+        len(sizes)) else np.empty(0, bool)
+    found = np.flatnonzero(are_shared)
+    types = np.array([mesh.GetCellType(owner) for owner in owners[before + found].tolist()], int)
+    found = found[_datasets.dimensions_of(types) == 3]
+    are_kept, opened = np.ones(len(sizes), bool), {}
+    for polygon in found:
+        ids = places_of[corners[offsets[polygon]:offsets[polygon + 1]]]
+        ids = np.roll(ids, -int(ids.argmin()))
+        ascends = bool(ids[1] < ids[-1])
+        key = tuple(ids if ascends else np.concatenate([ids[:1], ids[:0:-1]]))
+        others = opened.setdefault((key, not ascends), [])
+        if others:
+            are_kept[[polygon, others.pop()]] = False
+        else:
+            opened.setdefault((key, ascends), []).append(polygon)
+    if are_kept.all():
+        return surface
+    made = surface.NewInstance()
+    made.ShallowCopy(surface)
+    made.SetPolys(_datasets.cell_array_of(mesh, *kept_polygons(corners, offsets, are_kept)))
+    rest = np.ones(surface.GetNumberOfCells(), bool)
+    rest[before:before + len(sizes)] = are_kept
+    ids = _datasets.ids_of(mesh, np.flatnonzero(rest))
+    made.GetCellData().CopyAllocate(surface.GetCellData(), ids.GetNumberOfIds())
+    made.GetCellData().CopyData(surface.GetCellData(), ids)
+    return made
+
+
 class SourceField(Field):
     """The field of a source. Takes the options of Field that are no arrays."""
 
@@ -381,8 +433,9 @@ class SourceField(Field):
 
     def framed(self, frame):
         """The field of the source in the coordinates of an image (a Frame of _parts)."""
-        toward = frame.toward(_options.viewpoints(self.options["toward"]).decode())
-        return SourceField(framed(self.source, frame), **{**self.options, "toward": toward})
+        field = SourceField(framed(self.source, frame), **self.options)
+        field._options["frame"] = frame.numbers
+        return field
 
     def cut_distances(self, places, kept, are_cut, sides, show=None):
         """Numbers by which clipped_part() of _parts finds where the inside ends, for all points of

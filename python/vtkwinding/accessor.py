@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike
 from . import _clouds, _datasets, _grids, _images, _library, _options, _parts, _voxels, fields
 from ._errors import WindingError
 from ._progress import bar
-from ._regions import name_of, names_of_ids, names_of_parts, regions_of
+from ._regions import name_of, names_of_ids, names_of_labels, names_of_parts, regions_of
 from ._signatures import SourceOptions, spelled_out
 from ._sources import DEFAULTS, SourceField, kept_polygons, source_of, turned_polygons
 
@@ -471,7 +471,8 @@ class WindingAccessor:
         if scalars is None:
             of_polygons = np.empty(len(source.offsets) - 1, np.int32)
             count = ctypes.c_int64()
-            _library.call("winding_solids", _library.array_of(source.points),
+            points = fields.welded(source.points, options.get("weld_tolerance", 0))
+            _library.call("winding_solids", _library.array_of(points),
                           ctypes.byref(source.polygons()), _library.RUN,
                           ctypes.c_void_p(of_polygons.ctypes.data), ctypes.byref(count))
             values, names = np.arange(count.value), [f"Solid {i + 1}" for i in range(count.value)]
@@ -488,7 +489,8 @@ class WindingAccessor:
                 raise ValueError(f"scalars must have one component, not {array.shape[1]}")
             values, of_polygons = np.unique(array, return_inverse=True)
             kind = scalars[:-3] if scalars.endswith("Ids") else scalars
-            own = names_of_ids(mesh.GetFieldData(), f"{kind}Ids")
+            own = names_of_ids(mesh.GetFieldData(), f"{kind}Ids") or names_of_labels(
+                mesh.GetFieldData())
             names = [name_of(scalars, value, own) if own else str(value)
                      for value in values.tolist()]
         if len(values) > _MOST_LABELS:
@@ -506,10 +508,12 @@ class WindingAccessor:
         return solids
 
     def report(self, *, normals_array: str | None = None, surface_cells: bool = False,
-               progress_bar: bool = False) -> dict[str, Any]:
+               mirror: str | None = None, flat_base: str | None = None,
+               weld_tolerance: float = 0, progress_bar: bool = False) -> dict[str, Any]:
         """What is wrong with this mesh or cloud, and what to do: a dict.
 
         surface_cells: whether the faces of a mesh that has cells with volume, too, are taken.
+        mirror, flat_base, weld_tolerance: complete a surface first, as for field().
 
         winding_report and winding_cloud_report of libwinding say what the entries mean; 'advice'
         sums them up in words.
@@ -518,19 +522,26 @@ class WindingAccessor:
         source = _source(self._mesh, normals_array=normals_array, surface_cells=surface_cells,
                          notes=notes)
         with bar(progress_bar, "Looking at the mesh") as show:
-            return fields.report_of(source.points, source.polygons() if source.is_surface else None,
-                                    source.normals, show=show, notes=notes, counts={
+            points, polygons = source.points, None
+            if source.is_surface:
+                points, corners, offsets = fields.completed(
+                    points, source.corners, source.offsets, mirror=mirror, flat_base=flat_base,
+                    weld_tolerance=weld_tolerance)
+                polygons = _library.polygons_of(corners, offsets)
+            return fields.report_of(points, polygons, source.normals, show=show, notes=notes, counts={
                                         "turned_cells": source.turned_cells,
                                         "left_out_cells": source.left_out_cells})
 
-    def fix_orientation(self, *, surface_cells: bool = False,
+    def fix_orientation(self, *, surface_cells: bool = False, weld_tolerance: float = 0,
                         progress_bar: bool = False) -> pv.PolyData:
         """A copy as PolyData, its faces, or a cloud's normals, turned so that they look outward.
-        Faces that are there twice are taken once."""
+        Faces that are there twice are taken once. weld_tolerance: the distance up to which points
+        are one for this."""
         source = _source(self._mesh, surface_cells=surface_cells)
         with bar(progress_bar, "Looking at the mesh") as show:
             if source.is_surface:
-                turned, left_out = fields.orientation_of(source.points, source.polygons(),
+                points = fields.welded(source.points, weld_tolerance)
+                turned, left_out = fields.orientation_of(points, source.polygons(),
                                                          len(source.offsets) - 1, show)
                 return self._with_faces(source, turned == 1, left_out == 1)
             return self._with_normals(source, _clouds.normals_to_turn(source, show) == 1)

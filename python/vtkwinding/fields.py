@@ -97,6 +97,17 @@ class Field:
         Whether faces are turned outward first, and doubled ones taken once.
     ignore_open_parts : bool
         Whether open sheets inside of closed parts are left out.
+    mirror : str, optional
+        Planes of symmetry of a source that is one side of them: 'y=0', 'x=0 y=0', or '1 1 0 = 3'
+        for x + y = 3. Its mirror images are added.
+    flat_base : str, optional
+        Where a flat base closes a surface that is open on one side: 'down', '+x', 'direction x y z',
+        or a plane as 'z=-5'.
+    sheet_side : str, optional
+        The side of open sheets that is inside, as 'down' for what is below a terrain. A half is
+        added to w; beyond the rim of the sheet the side is a guess.
+    weld_tolerance : float
+        The distance up to which vertices of a surface are made one, so that slits close.
     estimate_normals : bool
         Whether a cloud without normals gets estimated ones.
     normal_estimation : {'auto', 'tree', 'consistent'}
@@ -124,6 +135,8 @@ class Field:
                  rule: str = "signed", n_threads: int | None = None,
                  longest_expected_time: float = 600, as_points: bool = False,
                  orient_faces: bool = False, ignore_open_parts: bool = False,
+                 mirror: str | None = None, flat_base: str | None = None,
+                 sheet_side: str | None = None, weld_tolerance: float = 0,
                  estimate_normals: bool = False, normal_estimation: str = "auto",
                  toward: str | ArrayLike | None = None,
                  n_neighbors: int = 20, point_area: float = 0,
@@ -158,13 +171,14 @@ class Field:
             method=method, tolerance=tolerance, threshold=threshold, rule=rule,
             n_threads=n_threads, longest_expected_time=longest_expected_time,
             as_points=as_points, orient_faces=orient_faces, ignore_open_parts=ignore_open_parts,
-            estimate_normals=estimate_normals, normal_estimation=normal_estimation,
+            mirror=mirror, flat_base=flat_base, sheet_side=sheet_side,
+            weld_tolerance=weld_tolerance, estimate_normals=estimate_normals, normal_estimation=normal_estimation,
             toward=toward, n_neighbors=n_neighbors, point_area=point_area,
             regularization=regularization)
 
     def _choose(self, *, method, tolerance, threshold, rule, n_threads, longest_expected_time,
-                as_points, orient_faces, ignore_open_parts, estimate_normals, normal_estimation,
-                toward, n_neighbors, point_area, regularization):
+                as_points, orient_faces, ignore_open_parts, mirror, flat_base, sheet_side,
+                weld_tolerance, estimate_normals, normal_estimation, toward, n_neighbors, point_area, regularization):
         """Checks and sets all that is no array."""
         self._options = {
             "method": _options.choice("method", method, _options.METHODS),
@@ -178,6 +192,10 @@ class Field:
             "toward": _options.viewpoints(toward),
             "orient_faces": _options.flag("orient_faces", orient_faces),
             "ignore_open_parts": _options.flag("ignore_open_parts", ignore_open_parts),
+            "mirror": _options.words("mirror", mirror),
+            "flat_base": _options.words("flat_base", flat_base),
+            "sheet_side": _options.words("sheet_side", sheet_side),
+            "weld_tolerance": _options.number("weld_tolerance", weld_tolerance, 0),
             "source_as_points": _options.flag("as_points", as_points)}
         self._threshold, self._rule = threshold, rule
         self._n_threads, self._longest = n_threads, longest_expected_time
@@ -475,17 +493,49 @@ def label(fields, grid, sides, overlap, coverage, *, numbers=None, names=None, s
 
 
 def report(vertices: Any, faces: ArrayLike | None = None, *,
-           normals: ArrayLike | None = None) -> dict[str, Any]:
+           normals: ArrayLike | None = None, mirror: str | None = None,
+           flat_base: str | None = None, weld_tolerance: float = 0) -> dict[str, Any]:
     """The health of a surface, or of a cloud where there are no faces: counts and measures, and
     'advice' in words, the most important first. winding_report and winding_cloud_report of the
-    library say what the entries mean."""
+    library say what the entries mean. mirror, flat_base and weld_tolerance: as for Field."""
     vertices, faces, normals, _ = _parts(vertices, faces, normals)
     if faces is not None:
         points, ids = _numbers.surface(vertices, faces, finite=False)
+        points, ids, _ = completed(points, ids, mirror=mirror, flat_base=flat_base,
+                                   weld_tolerance=weld_tolerance)
         return report_of(points, _library.polygons_of(ids), None)
     points = _numbers.vectors("vertices", vertices, finite=False)
     directions = None if normals is None else _numbers.vectors("normals", normals, finite=False)
     return report_of(points, None, directions)
+
+
+def completed(points, corners, offsets=None, *, mirror, flat_base, weld_tolerance):
+    """Points, corners and offsets of a surface with its mirror images and its base: triangles (F, 3)
+    without offsets, or what came in where nothing is asked for."""
+    if not (mirror or flat_base or weld_tolerance):
+        return points, corners, offsets
+    options = _library.Options(
+        mirror=_options.words("mirror", mirror), flat_base=_options.words("flat_base", flat_base),
+        weld_tolerance=_options.number("weld_tolerance", weld_tolerance, 0))
+    handle = _library.Handle("winding_mesh_free")
+    _library.call("winding_complete", _library.array_of(points),
+                  ctypes.byref(_library.polygons_of(corners, offsets)), ctypes.byref(options),
+                  _library.RUN, ctypes.byref(handle.pointer))
+    arrays = _library.arrays_of(handle)
+    triangles = np.empty(0, np.int64) if arrays["corners"] is None else arrays["corners"]
+    vertices = np.empty((0, 3)) if arrays["points"] is None else arrays["points"]
+    return vertices, triangles.reshape(-1, 3), None
+
+
+def welded(points, tolerance):
+    """Points of which those are equal that are up to a distance from each other."""
+    tolerance = _options.number("weld_tolerance", tolerance, 0)
+    if tolerance == 0:
+        return points
+    moved = np.empty((len(points), 3))
+    _library.call("winding_weld", _library.array_of(points), ctypes.c_double(tolerance),
+                  _library.RUN, ctypes.c_void_p(moved.ctypes.data))
+    return moved
 
 
 def report_of(points, polygons, normals, *, show=None, notes=(), counts=()):
@@ -513,12 +563,13 @@ def _plain(value):
     return None if value != value else value
 
 
-def fix_orientation(vertices: Any, faces: ArrayLike | None = None) -> IdArray:
+def fix_orientation(vertices: Any, faces: ArrayLike | None = None, *,
+                    weld_tolerance: float = 0) -> IdArray:
     """The faces (F, 3) of a surface, turned so that they look outward; faces that are there twice
-    are taken once."""
+    are taken once. weld_tolerance: as for Field."""
     points, ids = _numbers.surface(*_parts(vertices, faces)[:2])
     ids = ids.astype(np.int64, copy=False)
-    turned, left_out = orientation_of(points, _library.polygons_of(ids), len(ids))
+    turned, left_out = orientation_of(welded(points, weld_tolerance), _library.polygons_of(ids), len(ids))
     fixed = np.where(turned[:, None] == 1, ids[:, [0, 2, 1]], ids)
     return fixed[left_out == 0]
 

@@ -34,6 +34,10 @@ COMMON = {
     "UseSurfaceCells": (1, "1"),
     "OrientFaces": (1, "1"),
     "IgnoreOpenParts": (1, "1"),
+    "Mirror": ("y=0", "y=0"),
+    "FlatBase": ("down", "down"),
+    "SheetSide": ("-z", "-z"),
+    "WeldTolerance": (0.125, "0.125"),
 }
 ARRAYS = {
     "GenerateWindingNumber": (0, "0"),
@@ -55,6 +59,9 @@ SETTABLE = {
     "SurfaceReport": {
         "NormalsArray": ("Orientation", "Orientation"),
         "UseSurfaceCells": (1, "1"),
+        "Mirror": ("y=0", "y=0"),
+        "FlatBase": ("down", "down"),
+        "WeldTolerance": (0.125, "0.125"),
         "FixOrientation": (1, "1"),
         "FaultThickness": (0.25, "0.25"),
         "SourceDistribution": (1, "1"),

@@ -148,7 +148,16 @@ def of_source(name, mesh, is_cloud):
     note(f"{name} field on a turned image", simple.WindingNumberField(
         Input=mesh, Like=turned_image(4), GenerateSignedDistance=1, Coverage="Half Inside"))
     note(f"{name} report", simple.SurfaceReport(Input=mesh))
+    note(f"{name} mirrored", simple.WindingNumberField(**grid, Mirror="x=0.1 1 1 0 = 3"))
+    note(f"{name} mirrored on a turned image", simple.WindingNumberField(
+        Input=mesh, Like=turned_image(4), Mirror="x=0.1", FlatBase="down", SheetSide="up"))
     if not is_cloud:
+        completion = {"Mirror": "y=0.05", "FlatBase": "down", "WeldTolerance": 0.01}
+        note(f"{name} completed", simple.WindingNumberSurface(**grid, **completion))
+        note(f"{name} completed report", simple.SurfaceReport(Input=mesh, **completion))
+        note(f"{name} divided", simple.WindingNumberLabels(
+            Input=mesh, Resolution=24, SheetSide="-z", WeldTolerance=0.01,
+            OverlapRule="Smallest Volume"))
         note(f"{name} turned", simple.SurfaceReport(Input=mesh, FixOrientation=1, FaultThickness=0))
         note(f"{name} as points", simple.WindingNumberField(
             **grid, InputAsPoints=1, PointAreaMethod="Mesh", Regularization=1))

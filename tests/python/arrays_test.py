@@ -69,6 +69,52 @@ class ValuesTest(unittest.TestCase):
         value = winding_number([INSIDE], corners, faces, ignore_open_parts=True)
         np.testing.assert_array_equal(value, [1])
 
+    def test_halves_and_open_surfaces_are_completed(self):
+        half = np.delete(CUBE, [4, 5], axis=0)
+        where = [INSIDE, [0.5, -0.5, 0.5], [0.5, -1.5, 0.5], OUTSIDE]
+        for options, expected in (({"mirror": "y=0"}, [1, 1, 0, 0]),
+                                  ({"flat_base": "y=-2"}, [1, 1, 1, 0]),
+                                  ({"flat_base": "-y"}, [1, 0, 0, 0])):
+            value = winding_number(where, CORNERS, half, **options)
+            np.testing.assert_array_equal(value, expected)
+            self.assertTrue(vtkwinding.report(CORNERS, half, **options)["closed"])
+        self.assertAlmostEqual(vtkwinding.report(CORNERS, half, mirror="y=0")["volume"], 2)
+        self.assertFalse(vtkwinding.report(CORNERS, half)["closed"])
+        grid = field(CORNERS, half, mirror="y=0", resolution=10, padding=0)
+        np.testing.assert_allclose(grid.origin, [0.1, -0.9, 0.1])
+
+    def test_sheets_divide_space(self):
+        sheet = CUBE[:2]  # z = 0
+        above, below = [0.5, 0.5, 0.01], [0.5, 0.5, -0.01]
+        for side, expected in (("down", [False, True]), ("up", [True, False])):
+            np.testing.assert_array_equal(
+                contains([above, below], CORNERS, sheet, sheet_side=side), expected)
+            value = winding_number([above, below], CORNERS, sheet, sheet_side=side)
+            np.testing.assert_allclose(value, np.array(expected, float), atol=0.02)
+
+    def test_points_are_welded(self):
+        corners = CORNERS[CUBE].reshape(-1, 3)
+        corners = corners + 1e-6 * np.sin(np.arange(corners.size)).reshape(-1, 3)
+        faces = np.arange(len(corners)).reshape(-1, 3)
+        self.assertEqual(vtkwinding.report(corners, faces)["boundary_edges"], 36)
+        self.assertTrue(vtkwinding.report(corners, faces, weld_tolerance=1e-5)["closed"])
+        value = winding_number([INSIDE], corners, faces, weld_tolerance=1e-5)
+        np.testing.assert_array_equal(value, [1])
+        faces[3] = faces[3, ::-1]
+        fixed = vtkwinding.fix_orientation(corners, faces, weld_tolerance=1e-5)
+        np.testing.assert_array_equal(fixed[3], faces[3, [0, 2, 1]])
+
+    def test_wrong_completions_are_refused(self):
+        for options, words in (({"mirror": "y"}, "mirror is no plane"),
+                               ({"flat_base": "below"}, "flat_base is no side"),
+                               ({"sheet_side": "z=0"}, "sheet_side is no direction")):
+            with self.assertRaisesRegex(vtkwinding.WindingError, words):
+                contains(POINTS, CORNERS, CUBE, **options)
+        with self.assertRaises(ValueError):
+            contains(POINTS, CORNERS, CUBE, weld_tolerance=-1)
+        with self.assertRaises(TypeError):
+            contains(POINTS, CORNERS, CUBE, mirror=3)
+
     def test_clouds(self):
         points, _, normals = sphere()
         where = [[0, 0, 0.1], [1, 0, 0]]

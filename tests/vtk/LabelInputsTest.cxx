@@ -235,7 +235,7 @@ TEST_F(LabelInputs, AreNamedByTheirFile)
   EXPECT_EQ(made(withNames(balls, "Group", {1, 0, 1})), expected);
   EXPECT_EQ(names(), (std::vector<std::string>{"skin", "bone"}));
   made(withNames(balls, "Material", {1, 0, 1}));
-  EXPECT_EQ(names()[2], "Part 3") << "materials name parts where each has its own";
+  EXPECT_EQ(names()[2], "bone 2") << "bodies of one material are apart";
   labels->SetRegionArray("MaterialIds");
   EXPECT_EQ(made(withNames(balls, "Material", {1, 0, 1})), expected);
   EXPECT_EQ(names(), (std::vector<std::string>{"skin", "bone"}));

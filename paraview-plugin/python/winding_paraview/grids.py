@@ -14,7 +14,7 @@ from vtkwinding._parts import directions_of, grid_of_image, has_right_angles
 
 from .algorithm import DONE, RUN, declared, new_array
 from .ranks import Ranks
-from .sources import SourceAlgorithm, ask_for_part, kind_of, parts_of
+from .sources import SourceAlgorithm, ask_for_part, kind_of, parts_of, welded
 
 CENTER, ANY, FRACTION = range(3)
 PARITY = 4
@@ -100,7 +100,9 @@ class GridAlgorithm(SourceAlgorithm):
         """The box of the source on all ranks, or None."""
         key = self.key_of(data)
         if not ranks.same(int(key == self._bounds[0])) or key != self._bounds[0]:
-            own = ranks.agree(lambda: parts_of(self, data, **self.source_options()).bounds())
+            own = ranks.agree(lambda: welded(
+                parts_of(self, data, **self.source_options()),
+                self.value("WeldTolerance")).bounds())
             every = np.stack(ranks.gather(np.array([np.nan] * 6 if own is None else own)))
             every = every[~np.isnan(every).any(axis=1)]
             found = None
@@ -108,6 +110,10 @@ class GridAlgorithm(SourceAlgorithm):
                 found = every[0].tolist()
                 found[::2] = every[:, ::2].min(axis=0).tolist()
                 found[1::2] = every[:, 1::2].max(axis=0).tolist()
+                box = (ctypes.c_double * 6)(*found)
+                _library.call("winding_complete_bounds",
+                              ctypes.byref(_library.Options(**self.completion())), box)
+                found = list(box)
             self._bounds = (key, found)
         return self._bounds[1]
 

@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTubeFilter
 
-from vtkwinding import _datasets, _library
+from vtkwinding import _datasets, _library, fields
 from vtkwinding._errors import WindingError
 from vtkwinding._library import polygons_of
 from vtkwinding._sources import kept_polygons, turned_polygons
@@ -117,7 +117,7 @@ class SurfaceReport(Algorithm):
             data, source = blocks, source_in_words(blocks, **options)[0]
         own = Parts(source.points, source.corners, source.offsets) if source.is_surface else (
             cloud_of(self, source.leaves, 0))
-        parts = gathered(own, ranks, self.value("SourceDistribution"))
+        parts = self._completed(gathered(own, ranks, self.value("SourceDistribution")))
         output.ShallowCopy(_joined(leaves, data))
         if parts.is_surface:
             self._report_surface(parts, source, notes, fixed, output)
@@ -127,6 +127,18 @@ class SurfaceReport(Algorithm):
                 self._add_faults(parts, is_double, faults)
         else:
             self._report_cloud(parts, data, fixed, output)
+
+    def _completed(self, parts):
+        """Parts with what a surface lacks by its owner's word."""
+        if not parts.is_surface:
+            return parts
+        points, corners, offsets = fields.completed(
+            np.ascontiguousarray(parts.points), parts.corners, parts.offsets,
+            mirror=self.values["Mirror"], flat_base=self.values["FlatBase"],
+            weld_tolerance=self.value("WeldTolerance"))
+        if offsets is None:
+            offsets = 3 * np.arange(len(corners) + 1)
+        return Parts(points, corners.ravel(), offsets)
 
     def _report_surface(self, parts, source, notes, fixed, output):
         report, advice = _library.Report(), []
@@ -173,7 +185,8 @@ class SurfaceReport(Algorithm):
 
     def _fixed_faces(self, source):
         """The leaves with faces turned so that they agree, and counts of these."""
-        points = np.ascontiguousarray(source.points)
+        points = fields.welded(
+            np.ascontiguousarray(source.points), self.value("WeldTolerance"))
         turned, left_out = (np.zeros(len(source.offsets) - 1, np.uint8) for _ in range(2))
         flipped, components = ctypes.c_int64(), ctypes.c_int64()
         self.call("winding_orient", _library.array_of(points),
@@ -331,8 +344,4 @@ def _as_polydata(cloud):
 def _has_only_lines(data):
     leaves = [leaf for _, leaf in _datasets.leaves_of(data) if leaf.IsA("vtkPointSet")]
     return bool(leaves) and all(
-        leaf.GetNumberOfPoints() == 0 or (
-            isinstance(leaf, vtkPolyData) and leaf.GetNumberOfLines() > 0
-            and leaf.GetLines().GetNumberOfConnectivityIds() > (
-                leaf.GetVerts().GetNumberOfConnectivityIds()))
-        for leaf in leaves)
+        leaf.GetNumberOfPoints() == 0 or _datasets.is_of_lines(leaf) for leaf in leaves)

@@ -13,11 +13,17 @@ from vtkmodules.vtkCommonDataModel import (
     vtkPolyData,
 )
 
-from vtkwinding import _datasets, _library
+from vtkwinding import _datasets, _library, fields
 from vtkwinding._errors import WindingError
 from vtkwinding._library import polygons_of
-from vtkwinding._regions import name_of, names_of_ids, names_of_parts, regions_of
-from vtkwinding._sources import framed, kept_polygons
+from vtkwinding._regions import (
+    name_of,
+    names_of_ids,
+    names_of_labels,
+    names_of_parts,
+    regions_of,
+)
+from vtkwinding._sources import kept_polygons
 
 from .algorithm import RUN, copied, declared, new_array, pointer
 from .grids import FRACTION, ImageAlgorithm, sample_count
@@ -177,7 +183,7 @@ class Solids:
         else:
             own = np.unique(cells[_are_faces(data)]).astype(np.int64) if len(cells) else (
                 np.empty(0, np.int64))
-            its_names = names_of_ids(self._fields, name)
+            its_names = names_of_ids(self._fields, name) or names_of_labels(self._fields)
             regions = np.concatenate(self._ranks.gather(own)).tolist()
             names = self._ranks.texts(name_of(name, region, its_names) for region in own.tolist())
             named = dict(sorted(zip(regions, names)))
@@ -236,7 +242,8 @@ class Solids:
     def _ranks_parts(self, leaf):
         """The solids by connectivity: names, parts, and whether each is open within others."""
         polygons = polygons_of(leaf.corners, leaf.offsets)
-        points = np.ascontiguousarray(leaf.points)
+        points = fields.welded(
+            np.ascontiguousarray(leaf.points), self._filter.value("WeldTolerance"))
         numbers = np.empty(leaf.polygon_count, np.int32)
         are_open = np.zeros(leaf.polygon_count, np.uint8)
         count = ctypes.c_int64()
@@ -389,37 +396,36 @@ class WindingNumberLabels(ImageAlgorithm):
         if ranks.same(int(is_kept)) and is_kept:
             return self._kept[1:]
         solids = Solids(self, data, ranks)
-        fields, self.field_notes = [], list(solids.notes)
+        handles, self.field_notes = [], list(solids.notes)
         for number, solid in enumerate(solids.solids):
             self.between(0.3 * number / len(solids.solids), 0.3 * (number + 1) / len(solids.solids))
             notes = []
             try:
-                parts = solid.parts if self.frame is None else framed(solid.parts, self.frame)
-                fields.append(self.field_of(parts, note=notes.append))
+                handles.append(self.field_of(solid.parts, note=notes.append))
             except WindingError as error:
                 error.args = (f"{error}{', ' if '; ' in str(error) else '; '}solid '{solid.name}'",)
                 raise
             self.field_notes += [f"{note} (solid '{solid.name}')"
                                  for note in [*solid.parts.notes, *notes]
                                  if "is empty" not in note]
-        self._kept = (key, solids, fields)
-        return solids, fields
+        self._kept = (key, solids, handles)
+        return solids, handles
 
     def make_image(self, data, ranks, grid, extent, image, attributes):
         self.check_verification(True)
-        solids, fields = self._prepare(data, ranks)
+        solids, handles = self._prepare(data, ranks)
         self.infos = []
-        for field in fields:
+        for field in handles:
             info = _library.FieldInfo()
             _library.call("winding_describe", field.pointer, ctypes.byref(info))
             self.infos.append(info)
         self.info = max(self.infos, key=lambda info: info.primitives, default=None)
         self.inside_out_count = 0
-        self._label(solids.solids, fields, grid, extent, attributes)
+        self._label(solids.solids, handles, grid, extent, attributes)
         self._tell_solids(solids)
         self._describe_solids(solids.solids, image)
         self.describe(image)
-        self.verification = self._verify_all(fields, grid, extent)
+        self.verification = self._verify_all(handles, grid, extent)
 
     def _label(self, solids, fields, grid, extent, attributes):
         count = sample_count(extent)

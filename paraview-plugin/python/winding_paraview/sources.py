@@ -1,6 +1,7 @@
 """Filters that are about the winding number of a source: how it becomes a field of the library, on
 one rank or on several."""
 
+import copy
 import ctypes
 import hashlib
 import time
@@ -9,7 +10,7 @@ import numpy as np
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkCommonExecutionModel import vtkExtentTranslator
 
-from vtkwinding import _datasets, _library, _options
+from vtkwinding import _datasets, _library, _options, fields
 from vtkwinding._errors import WindingError
 from vtkwinding._library import polygons_of
 from vtkwinding._parts import level_of
@@ -89,6 +90,15 @@ class Parts:
             return None
         low, high = points.min(axis=0), points.max(axis=0)
         return np.stack([low, high], 1).ravel().astype(float).tolist()
+
+
+def welded(parts, tolerance):
+    """Parts of which points of a surface are equal that are up to a distance from each other."""
+    if tolerance == 0 or not parts.is_surface:
+        return parts
+    made = copy.copy(parts)
+    made.points = fields.welded(parts.points, tolerance)
+    return made
 
 
 def source_in_words(data, **options):
@@ -267,7 +277,8 @@ class SourceAlgorithm(Algorithm):
     def key_of(self, data):
         """What a field depends on, of this rank."""
         names = ("Method", "Tolerance", "SourceAsPoints", "UseSurfaceCells", "OrientFaces",
-                 "IgnoreOpenParts", "PointAreaMethod", "PointArea", "NumberOfNeighbors",
+                 "IgnoreOpenParts", "Mirror", "FlatBase", "SheetSide", "WeldTolerance",
+                 "PointAreaMethod", "PointArea", "NumberOfNeighbors",
                  "EstimateNormals", "NormalEstimation", "Toward", "Regularization", "AreaArray",
                  "NormalsArray", "SourceDistribution")
         leaves = [] if data is None else [
@@ -288,8 +299,6 @@ class SourceAlgorithm(Algorithm):
             if not (self.works_on_first_rank and ranks.rank > 0):
                 self.field_notes.extend(parts.notes)
                 self.between(0, PROGRESS_OF_FIELD)
-                if self.frame is not None:
-                    parts = framed(parts, self.frame)
                 self.field = self.field_of(parts, note=self.field_notes.append)
             self.field_key = key
             self.prepare_seconds = time.perf_counter() - start
@@ -304,9 +313,11 @@ class SourceAlgorithm(Algorithm):
 
     def field_of(self, parts, *, note):
         """The field of the library for parts: a handle."""
+        parts = welded(parts, self.value("WeldTolerance"))
+        if self.frame is not None:
+            parts = framed(parts, self.frame)
         method = self.value("PointAreaMethod")
         is_constant = method == CONSTANT_AREA
-        toward = _options.viewpoints(self.values["Toward"])
         options = _library.Options(
             method=self.value("Method"), tolerance=self.value("Tolerance"),
             regularization=self.value("Regularization"),
@@ -314,7 +325,9 @@ class SourceAlgorithm(Algorithm):
             mean_point_area=is_constant, number_of_neighbors=self.value("NumberOfNeighbors"),
             estimate_normals=bool(self.value("EstimateNormals")) and parts.normals is None,
             normal_estimation=self.value("NormalEstimation"),
-            toward=toward if self.frame is None else self.frame.toward(toward.decode()).encode(),
+            toward=_options.words("Toward", self.values["Toward"]),
+            frame=None if self.frame is None else self.frame.numbers,
+            **self.completion(), sheet_side=_options.words("Sheet Side", self.values["SheetSide"]),
             orient_faces=bool(self.value("OrientFaces")),
             ignore_open_parts=bool(self.value("IgnoreOpenParts")), scattered=self.is_scattered)
         handle = _library.Handle("winding_field_free")
@@ -327,6 +340,11 @@ class SourceAlgorithm(Algorithm):
             self.call("winding_points", points, _library.array_of(parts.normals),
                       _library.array_of(parts.areas), *rest, note=note)
         return handle
+
+    def completion(self):
+        """The options of the library that say what the source lacks."""
+        return {"mirror": _options.words("Mirror", self.values["Mirror"]),
+                "flat_base": _options.words("Flat Base", self.values["FlatBase"])}
 
     def expect(self, samples, with_distances, bytes_of_result):
         """Notes the memory that an evaluation is expected to take."""
