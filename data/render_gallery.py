@@ -17,6 +17,7 @@ from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from panels import (
     SHELL, SMOOTH, SWOLLEN, actor_of, cut_open, ghost_of, line_actor, mesh_actors, middle_plane,
     read_surface, slice_actors, smooth_shaded, two_sided, voxel_actor, write_picture)
+from completion_pictures import draw_completion, draw_layers, draw_like
 from label_pictures import draw_labels
 from normal_pictures import draw_normals
 from sharp_pictures import draw_sharp
@@ -147,6 +148,9 @@ def main():
             (draw_normals, None),
             (draw_distance, arguments.open),
             (draw_clip, arguments.open),
+            (draw_completion, arguments.closed),
+            (draw_layers, None),
+            (draw_like, arguments.closed),
         ):
             name = draw.__name__.removeprefix("draw_") + ".png"
             print(name, flush=True)
