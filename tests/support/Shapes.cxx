@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace shapes
@@ -128,6 +129,21 @@ Mesh cube(const Point& low, const Point& high)
 Mesh openCube()
 {
   return cube().part(0, 10);
+}
+
+Mesh cubeWithSlit(double width)
+{
+  Mesh rest = cube();
+  Mesh side{rest.points, {}};
+  const auto isOfSide = [&rest](const std::array<std::int32_t, 3>& t)
+  {
+    return rest.points[t[0]][0] + rest.points[t[1]][0] + rest.points[t[2]][0] == 3;
+  };
+  std::copy_if(
+    rest.triangles.begin(), rest.triangles.end(), std::back_inserter(side.triangles), isOfSide);
+  rest.triangles.erase(
+    std::remove_if(rest.triangles.begin(), rest.triangles.end(), isOfSide), rest.triangles.end());
+  return rest.with(side.mapped([width](const Point& p) { return Point(p + Point(width, 0, 0)); }));
 }
 
 Mesh icosphere(int levels)

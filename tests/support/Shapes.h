@@ -46,6 +46,8 @@ Mesh tetrahedron();
 Mesh cube(const Point& low = {0, 0, 0}, const Point& high = {1, 1, 1});
 /// The unit cube without the two triangles at z = 1.
 Mesh openCube();
+/// The unit cube, the side x = 1 of which has points of its own, `width` away from the others.
+Mesh cubeWithSlit(double width);
 /// A sphere of radius 1 with 20 · 4^levels triangles.
 Mesh icosphere(int levels);
 /// A torus of radii 1 and 0.4 around the z axis.

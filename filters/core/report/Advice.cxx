@@ -62,6 +62,26 @@ void addOrientation(Advice& advice, const OrientationCounts& counts, bool isInsi
   add(advice, counts.oneSided, "part has", "parts have", "one side only, and no orientation");
 }
 
+/// Returns what to do about a surface that only slits keep from being closed.
+Message slitAdviceOn(const SurfaceReport& report)
+{
+  char width[32];
+  std::snprintf(width, sizeof width, "%.1g", report.widestSlit.value_or(0));
+  Message advice("closed, except for slits of " + std::string(width), {},
+    counted(report.edges.boundary, "boundary edge in ", "boundary edges in ") +
+      counted(report.edges.boundaryLoops, "loop", "loops") +
+      "; winding numbers are between integers only next to these");
+  if (report.canBeWelded())
+  {
+    advice.remedies.push_back({"weld them", {}});
+  }
+  else
+  {
+    advice.facts += "; points of one side lie on edges of the other, so that welding leaves slits";
+  }
+  return advice;
+}
+
 /// Whether the first advice is that all of it is inside out.
 bool isSaidInsideOut(const SurfaceReport& report)
 {
@@ -102,6 +122,11 @@ Advice mainAdviceOn(const Surface& surface, const SurfaceReport& report)
   {
     return {{"open, though every edge has two triangles or more: at non-manifold edges they do not "
              "cancel; near those winding numbers are between integers"}};
+  }
+  if (report.isClosedExceptForSlits())
+  {
+    advice.push_back(slitAdviceOn(report));
+    return advice;
   }
   if (report.openings.areWide() || report.openings.lookInward)
   {

@@ -54,7 +54,23 @@ OrientationCounts countOrientations(
   return counts;
 }
 
+/// Lengths below this share of the median edge are of slits, not of holes. Rounding of coordinates
+/// leaves 1e-7 in single precision, and 1e-5 in files with six digits.
+constexpr double shareOfSlits = 1e-3;
+
 } // namespace
+
+bool SurfaceReport::isClosedExceptForSlits() const
+{
+  return widestSlit && *widestSlit < shareOfSlits * medianEdgeLength && edges.inconsistent == 0 &&
+         edges.netBoundary == edges.boundary;
+}
+
+bool SurfaceReport::canBeWelded() const
+{
+  return std::all_of(slits.endDistances.begin(), slits.endDistances.end(),
+    [this](double distance) { return distance < shareOfSlits * medianEdgeLength; });
+}
 
 EdgeCounts countEdges(const Surface& surface, const SurfaceEdges& edges)
 {
@@ -115,6 +131,12 @@ SurfaceReport reportOn(
     const std::vector<char> isLeftOut = facesToLeaveOut(surface, edges, faces, executor);
     report.mendableTriangles =
       static_cast<std::size_t>(std::count(isLeftOut.begin(), isLeftOut.end(), char(1)));
+  }
+  if (!edges.rims.empty())
+  {
+    report.slits = slitsOf(surface, edges, executor);
+    report.widestSlit = report.slits.widest();
+    report.medianEdgeLength = medianEdgeLength(surface, edges, executor);
   }
   report.openPartsInside = openPartsInside(surface, edges, executor).count;
   const Eigen::Vector3d center =

@@ -4,7 +4,10 @@
 #include "base/Views.h"
 #include "source/Surface.h"
 #include "surface/Openings.h"
+#include "surface/Slits.h"
 #include "surface/SurfaceEdges.h"
+
+#include <optional>
 
 namespace winding
 {
@@ -51,11 +54,22 @@ struct SurfaceReport
   std::size_t openPartsInside = 0;    ///< open parts inside of closed ones (OpenParts.h)
   std::size_t zeroAreaTriangles = 0;  ///< triangles with three different vertices on a line
   Openings openings;                  ///< left to the caller, who has the boundary chain
+  Slits slits;                        ///< of the boundary edges, by edge
+  std::optional<double> widestSlit;   ///< width of the widest; none without boundary edges
+  double medianEdgeLength = 0;        ///< of all edges; measured where there are boundary edges
   double area = 0;                    ///< of all triangles except repeated ones
   double volume = 0; ///< enclosed signed volume; meaningful for closed surfaces only
 
   /// The number V − E + F of vertices, edges and triangles: 2 for a sphere, 0 for a torus.
   long long eulerCharacteristic = 0;
+
+  /// Whether the boundary is of slits alone, all of them narrower than a thousandth of the median
+  /// edge. Triangles run along all other edges as often in one sense as in the other then.
+  bool isClosedExceptForSlits() const;
+
+  /// Whether to make near points one closes these slits: each edge has an opposite whose ends are
+  /// as near. Otherwise vertices of one side lie on edges of the other.
+  bool canBeWelded() const;
 };
 
 /// Examines a surface; the report is the same for every executor. `parts` says which triangles are

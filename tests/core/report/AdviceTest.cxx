@@ -114,6 +114,28 @@ TEST(Advice, OnSurfacesSaysWhetherTheyAreClosed)
   EXPECT_TRUE(has(adviceOnMesh(shapes::Mesh()), "nothing to evaluate"));
 }
 
+TEST(Advice, OnSlitsNamesTheirWidthAndWhetherToWeldThem)
+{
+  const std::string slit = adviceOnMesh(shapes::cubeWithSlit(1e-12));
+  EXPECT_EQ(slit, "closed, except for slits of 1e-12: weld them; 8 boundary edges in 2 loops; "
+                  "winding numbers are between integers only next to these");
+  const std::string inward = adviceOnMesh(shapes::cubeWithSlit(1e-12).reversed());
+  EXPECT_EQ(inward, "inside out; " + slit);
+  EXPECT_TRUE(has(adviceOnMesh(shapes::cubeWithSlit(0.01)), "open: 8 boundary edges in 2 loops"));
+  // One triangle has a point in the middle of an edge that its neighbour does not have.
+  shapes::Mesh mesh = shapes::cubeWithSlit(0);
+  const auto middle = static_cast<std::int32_t>(mesh.points.size());
+  mesh.points.push_back(
+    (mesh.points[mesh.triangles[0][0]] + mesh.points[mesh.triangles[0][1]]) / 2);
+  const auto [a, b, c] = mesh.triangles[0];
+  mesh.triangles[0] = {a, middle, c};
+  mesh.triangles.push_back({middle, b, c});
+  EXPECT_EQ(adviceOnMesh(mesh),
+    "closed, except for slits of 0; 3 boundary edges in 1 loop; winding numbers are between "
+    "integers only next to these; points of one side lie on edges of the other, so that welding "
+    "leaves slits");
+}
+
 TEST(Advice, OnInvertedSolidsWithCavitiesIsToTurnAll)
 {
   const shapes::Mesh shell =

@@ -136,6 +136,37 @@ TEST(SurfaceReport, ComesCloseToTheAreaAndVolumeOfTheSphere)
   EXPECT_NEAR(sphere.area, 4 * winding::pi, 0.03);
 }
 
+TEST(SurfaceReport, HasTheWidestSlitOfABoundary)
+{
+  EXPECT_FALSE(report(cube()).widestSlit);
+  EXPECT_FALSE(report(cube()).isClosedExceptForSlits());
+  EXPECT_EQ(report(openCube()).widestSlit, 1);
+  EXPECT_FALSE(report(openCube()).isClosedExceptForSlits());
+  const Mesh slit = cubeWithSlit(1e-12);
+  EXPECT_NEAR(report(slit).widestSlit.value(), 1e-12, 3e-16);
+  EXPECT_EQ(report(slit).medianEdgeLength, 1);
+  EXPECT_TRUE(report(slit).isClosedExceptForSlits());
+  EXPECT_TRUE(report(slit).canBeWelded());
+  EXPECT_FALSE(report(cubeWithSlit(0.01)).isClosedExceptForSlits());
+  EXPECT_FALSE(report(slit.with(openCube())).isClosedExceptForSlits());
+  Mesh turned = slit.with(cube({2, 0, 0}, {3, 1, 1}));
+  std::swap(turned.triangles.back()[0], turned.triangles.back()[1]);
+  EXPECT_FALSE(report(turned).isClosedExceptForSlits()) << "edges disagree";
+  EXPECT_FALSE(report(slit.with(book(3, false))).isClosedExceptForSlits());
+}
+
+TEST(SurfaceReport, KnowsSlitsThatWeldingDoesNotClose)
+{
+  // One side has a point in the middle of an edge of the other.
+  const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1},
+                    {1, 1, 1}, {1, 0.5, 1}},
+    {{0, 2, 1}, {1, 2, 3}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6},
+      {1, 3, 5}, {3, 7, 5}, {4, 5, 8}, {4, 8, 6}, {8, 7, 6}}};
+  EXPECT_EQ(report(mesh).widestSlit, 0);
+  EXPECT_TRUE(report(mesh).isClosedExceptForSlits());
+  EXPECT_FALSE(report(mesh).canBeWelded());
+}
+
 TEST(SurfaceReport, KeepsItsVolumeFarFromTheOrigin)
 {
   const Point far(4e6, -3e6, 5e6);
