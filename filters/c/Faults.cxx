@@ -5,10 +5,12 @@
 #include "surface/Boundary.h"
 #include "surface/BoundaryLoops.h"
 #include "surface/Cap.h"
+#include "surface/Slits.h"
 #include "surface/SurfaceEdges.h"
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -36,6 +38,9 @@ public:
     mesh_.offsets.push_back(static_cast<std::int64_t>(mesh_.corners.size()));
     mesh_.numbers.push_back(static_cast<std::int64_t>(number));
   }
+
+  /// Adds the width of the polygon that was added last.
+  void addWidth(double width) { mesh_.slitWidths.push_back(width); }
 
   /// Leaves the vertices that polygons use, in their order, and renumbers corners.
   void finish()
@@ -92,26 +97,36 @@ std::vector<std::size_t> multiplicitiesOf(
   return result;
 }
 
-/// Adds the loops of the boundary, or their caps.
-void addBoundary(const Surface& surface, bool asCaps, winding::Executor& executor, FaultMesh& mesh)
+/// Adds the caps of the loops of the boundary.
+void addCaps(const Surface& surface, winding::Executor& executor, FaultMesh& mesh)
+{
+  const winding::BoundaryLoops loops = winding::boundaryLoops(
+    winding::boundaryChain(surface, executor).edges, surface.vertices.size(), executor);
+  for (std::size_t i = 0; i < loops.size(); ++i)
+  {
+    for (const winding::Triangle& triangle : winding::capOf(loops[i]))
+    {
+      mesh.add(triangle, i);
+    }
+  }
+}
+
+/// Adds the loops of the boundary, with their widths.
+void addBoundary(const Surface& surface, winding::Executor& executor, FaultMesh& mesh)
 {
   const winding::BoundaryChain chain = winding::boundaryChain(surface, executor);
   const winding::BoundaryLoops loops =
     winding::boundaryLoops(chain.edges, surface.vertices.size(), executor);
   const std::vector<std::size_t> multiplicities = multiplicitiesOf(chain, loops);
+  const SurfaceEdges edges = winding::edgesOf(surface, executor);
+  const winding::Slits slits = winding::slitsOf(surface, edges, executor);
   for (std::size_t i = 0; i < loops.size(); ++i)
   {
-    if (asCaps)
-    {
-      for (const winding::Triangle& triangle : winding::capOf(loops[i]))
-      {
-        mesh.add(triangle, i);
-      }
-      continue;
-    }
     std::vector<std::int32_t> closed(loops[i].begin(), loops[i].end());
     closed.push_back(closed.front());
     mesh.add(closed, multiplicities[i]);
+    mesh.addWidth(winding::widestAlong(loops[i], edges, slits)
+                    .value_or(std::numeric_limits<double>::quiet_NaN()));
   }
 }
 
@@ -156,9 +171,13 @@ winding_status winding_faults(winding_array points, const winding_polygons* poly
         {
           const Surface surface = winding::sanitize(triangles.views(), call.executor);
           FaultMesh faults(surface, made);
-          if (fault == WINDING_FAULT_BOUNDARY || fault == WINDING_FAULT_CAPS)
+          if (fault == WINDING_FAULT_BOUNDARY)
           {
-            addBoundary(surface, fault == WINDING_FAULT_CAPS, call.executor, faults);
+            addBoundary(surface, call.executor, faults);
+          }
+          else if (fault == WINDING_FAULT_CAPS)
+          {
+            addCaps(surface, call.executor, faults);
           }
           else
           {

@@ -26,6 +26,7 @@ struct winding_mesh
   winding::UninitializedVector<double> doublePointNormals, pointAreas;
   winding::UninitializedVector<std::uint16_t> labels;
   winding::UninitializedVector<std::int64_t> numbers; ///< of polygons
+  winding::UninitializedVector<double> slitWidths;    ///< of polygons
   winding::UninitializedVector<std::int64_t> lineOffsets, lineCorners;
   winding::UninitializedVector<std::int64_t> vertexOffsets, vertexCorners;
   winding::UninitializedVector<std::uint8_t> colors;

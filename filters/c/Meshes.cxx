@@ -335,6 +335,7 @@ winding_status winding_mesh_show(
       to.point_areas = pointerTo(from.pointAreas);
       to.labels = pointerTo(from.labels);
       to.numbers = pointerTo(from.numbers);
+      to.slit_widths = pointerTo(from.slitWidths);
       to.line_count =
         from.lineOffsets.empty() ? 0 : static_cast<int64_t>(from.lineOffsets.size() - 1);
       to.line_offsets = pointerTo(from.lineOffsets);

@@ -73,6 +73,7 @@ winding_status winding_examine(winding_array points, const winding_polygons* pol
       writeBox(surface.bounds, to.bbox);
       to.non_finite = static_cast<int64_t>(surface.nonFiniteTriangles);
       to.invalid_ids = static_cast<int64_t>(surface.invalidIdTriangles);
+      to.widest_slit = found.report.widestSlit.value_or(missing);
       give(to, result);
     });
 }

@@ -520,6 +520,7 @@ extern "C"
     int32_t color_components;         /**< 3, or 4 with opacity */
     const float* texture_coordinates; /**< two for each point */
     int64_t regions_count;            /**< of winding_mesh_regions() */
+    const double* slit_widths;        /**< one for each polygon, of WINDING_FAULT_BOUNDARY */
   } winding_mesh_arrays;
 
   /**
@@ -749,6 +750,7 @@ extern "C"
     double bbox[6];                /**< least x, y and z, then the largest; NaN without triangles */
     int64_t non_finite;  /**< triangles left out for coordinates that are NaN or infinite */
     int64_t invalid_ids; /**< triangles left out for ids of points that are not there */
+    double widest_slit;  /**< largest width along boundary edges; NaN without any */
   } winding_report;
 
   /**
@@ -807,6 +809,10 @@ extern "C"
    * @param run null for the defaults
    * @param report receives the counts; its size is set
    * @param refusal receives why the call was refused, unless it is null
+   *
+   * The width of a boundary edge is the distance of its ends and its middle, the largest of the
+   * three, from the nearest boundary edge that runs the opposite way. That is about the width of a
+   * hole, and the distance of the two sides of a slit.
    */
   WINDING_API winding_status winding_examine(winding_array points, const winding_polygons* polygons,
     const winding_run* run, winding_report* report, winding_refusal* refusal);
@@ -830,7 +836,8 @@ extern "C"
    * @param mesh receives loops as polygons whose last corner is the first one, caps as triangles,
    *   or edges as polygons of two corners, over the points that they use. Its numbers are how often
    *   a loop runs along an edge, at most; the loop of each triangle of a cap, from 0 on; the
-   *   triangles at an edge; or 2.
+   *   triangles at an edge; or 2. The slit widths of loops are the largest of their boundary edges,
+   *   NaN without any.
    * @param refusal receives why the call was refused, unless it is null
    */
   WINDING_API winding_status winding_faults(winding_array points, const winding_polygons* polygons,

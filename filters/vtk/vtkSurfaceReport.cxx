@@ -275,6 +275,11 @@ vtkIdType vtkSurfaceReport::GetNumberOfBoundaryLoops()
   return this->GetCount("boundary_loops");
 }
 
+double vtkSurfaceReport::GetWidestSlit()
+{
+  return this->GetNumber("widest_slit");
+}
+
 vtkIdType vtkSurfaceReport::GetNumberOfNonManifoldEdges()
 {
   return this->GetCount("nonmanifold_edges");

@@ -19,7 +19,8 @@
  * - Caps: the triangles that the field closes the loops of the boundary with, with the cell data
  *   Loop.
  * - Boundary: these loops of edges that do not cancel, as closed polylines, with the cell data
- *   Loop, Edges and Multiplicity.
+ *   Loop, Edges, Multiplicity and SlitWidth: the largest width of its edges (widest_slit), NaN if
+ *   two triangles or more use each of them.
  * - NonManifoldEdges: lines, with the cell data Triangles, the number of triangles that meet there.
  * - InconsistentEdges: lines.
  *
@@ -61,6 +62,10 @@
  * - **closed**: 1 if the uses of every edge cancel, so that winding numbers are integers; else 0.
  * - **boundary_edges**: edges used by one triangle.
  * - **boundary_loops**: connected pieces of boundary edges.
+ * - **widest_slit**: the largest width of what boundary edges leave open; no tuple without any. The
+ *   width of an edge is the distance of its ends and its middle, the largest of the three, from the
+ *   nearest boundary edge that runs the opposite way. That is about the width of a hole, and the
+ *   distance of the two sides of a slit.
  * - **nonmanifold_edges**: edges used by more than two triangles.
  * - **inconsistent_edges**: edges used by two triangles in the same direction.
  * - **net_boundary_edges**: edges used more often in one direction than in the other.
@@ -218,6 +223,7 @@ public:
   vtkIdType GetNumberOfTriangles();
   vtkIdType GetNumberOfBoundaryEdges();
   vtkIdType GetNumberOfBoundaryLoops();
+  double GetWidestSlit();
   vtkIdType GetNumberOfNonManifoldEdges();
   vtkIdType GetNumberOfInconsistentEdges();
   vtkIdType GetNumberOfComponents(); ///< pieces connected through edges

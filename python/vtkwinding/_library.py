@@ -127,7 +127,7 @@ class MeshArrays(Sized):
                 ("vertex_count", _int64), ("vertex_offsets", ctypes.c_void_p),
                 ("vertex_corners", ctypes.c_void_p), ("colors", ctypes.c_void_p),
                 ("color_components", _int32), ("texture_coordinates", ctypes.c_void_p),
-                ("regions_count", _int64)]
+                ("regions_count", _int64), ("slit_widths", ctypes.c_void_p)]
 
 
 class Column(Sized):
@@ -197,7 +197,7 @@ class Report(Sized):
                 ("duplicate_faces", _int64), ("degenerate", _int64), ("zero_area", _int64),
                 ("unreferenced_vertices", _int64), ("euler", _int64), ("volume", _double),
                 ("area", _double), ("fractional_share", _double), ("bbox", _double * 6),
-                ("non_finite", _int64), ("invalid_ids", _int64)]
+                ("non_finite", _int64), ("invalid_ids", _int64), ("widest_slit", _double)]
 
 
 class CloudReport(Sized):
@@ -388,6 +388,7 @@ def arrays_of(mesh):
         "polygon_normals": view(arrays.polygon_normals, np.float32, polygons, 3),
         "labels": view(arrays.labels, np.uint16, polygons, 2),
         "numbers": view(arrays.numbers, np.int64, polygons),
+        "slit_widths": view(arrays.slit_widths, np.float64, polygons),
         "column_count": arrays.column_count,
         "regions": _regions_of(mesh, arrays),
         "lines": cells(arrays.line_corners, arrays.line_offsets, arrays.line_count),

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -46,6 +47,28 @@ TEST_F(CheckCommand, OpenSurface)
   EXPECT_EQ(report["boundary_edges"], 6);
   EXPECT_EQ(report["boundary_loops"], 2);
   EXPECT_EQ(report["advice"].get<std::string>().rfind("open: 6 boundary edges in 2 loops", 0), 0u);
+}
+
+TEST_F(CheckCommand, Slits)
+{
+  EXPECT_TRUE(check("a.off", asOff(sphere(2)))["widest_slit"].is_null());
+  // One triangle has points of its own, moved by a rounding error.
+  Mesh mesh = sphere(2);
+  for (int& corner : mesh.triangles[7])
+  {
+    std::array<double, 3> moved = mesh.points[static_cast<std::size_t>(corner)];
+    moved[0] += 1e-15;
+    corner = static_cast<int>(mesh.points.size());
+    mesh.points.push_back(moved);
+  }
+  const std::string file = folder.write("slit.off", asOff(mesh));
+  const nlohmann::json report = runProgram({"check", file, "--json"}).json();
+  EXPECT_NEAR(report["widest_slit"].get<double>(), 1e-15, 3e-16);
+  const auto advice = report["advice"].get<std::string>();
+  EXPECT_EQ(advice.rfind("closed, except for slits of 1e-15: weld them; 6 boundary edges", 0), 0u)
+    << advice;
+  const Outcome shown = runProgram({"check", file});
+  EXPECT_NE(shown.out.find("widest slit"), std::string::npos) << shown;
 }
 
 TEST_F(CheckCommand, FlippedAndDuplicateAndUnusedAndBadTriangles)

@@ -1,5 +1,9 @@
 #include "Calls.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
 namespace
 {
 
@@ -159,6 +163,50 @@ TEST(Faults, AreLoopsCapsAndEdges)
     winding_faults(arrayOf(mesh.points), &polygons, 4, nullptr, &made, nullptr), WINDING_MISUSED);
 }
 
+TEST(Faults, OfTheBoundaryHaveTheWidthsOfSlits)
+{
+  const Mesh mesh = shapes::cubeWithSlit(1e-9).with(
+    shapes::openCube().mapped([](const Point& p) -> Point { return p + Point(5, 0, 0); }));
+  const winding_polygons polygons = polygonsOf(mesh);
+  winding_mesh* made = nullptr;
+  ASSERT_EQ(winding_faults(
+              arrayOf(mesh.points), &polygons, WINDING_FAULT_BOUNDARY, nullptr, &made, nullptr),
+    WINDING_OK);
+  auto arrays = with(winding_mesh_arrays_init);
+  ASSERT_EQ(winding_mesh_show(made, &arrays, nullptr), WINDING_OK);
+  ASSERT_EQ(arrays.polygon_count, 3);
+  ASSERT_NE(arrays.slit_widths, nullptr);
+  std::vector<double> widths(arrays.slit_widths, arrays.slit_widths + 3);
+  std::sort(widths.begin(), widths.end());
+  EXPECT_NEAR(widths[1], 1e-9, 1e-15);
+  EXPECT_EQ(widths[2], 1);
+  winding_mesh_free(made);
+  ASSERT_EQ(
+    winding_faults(arrayOf(mesh.points), &polygons, WINDING_FAULT_CAPS, nullptr, &made, nullptr),
+    WINDING_OK);
+  ASSERT_EQ(winding_mesh_show(made, &arrays, nullptr), WINDING_OK);
+  EXPECT_EQ(arrays.slit_widths, nullptr);
+  winding_mesh_free(made);
+  auto report = with(winding_report_init);
+  ASSERT_EQ(
+    winding_examine(arrayOf(mesh.points), &polygons, nullptr, &report, nullptr), WINDING_OK);
+  EXPECT_EQ(report.widest_slit, 1);
+}
+
+TEST(Examination, KnowsCallersWithoutTheWidestSlit)
+{
+  const Mesh mesh = shapes::openCube();
+  const winding_polygons polygons = polygonsOf(mesh);
+  winding_report report;
+  winding_report_init(&report, sizeof report);
+  report.size = offsetof(winding_report, widest_slit);
+  report.widest_slit = 7;
+  ASSERT_EQ(
+    winding_examine(arrayOf(mesh.points), &polygons, nullptr, &report, nullptr), WINDING_OK);
+  EXPECT_EQ(report.boundary_loops, 1);
+  EXPECT_EQ(report.widest_slit, 7);
+}
+
 TEST(Examination, CountsAndAdvises)
 {
   Mesh mesh = shapes::icosphere(2);
@@ -177,6 +225,7 @@ TEST(Examination, CountsAndAdvises)
   EXPECT_EQ(report.bbox[3], 1);
   EXPECT_GT(report.fractional_share, 0);
   EXPECT_EQ(report.boundary_edges, 0);
+  EXPECT_TRUE(std::isnan(report.widest_slit)) << "there is no boundary";
   EXPECT_EQ(report.inconsistent_edges, 3);
   ASSERT_FALSE(told.texts.empty());
   EXPECT_NE(told.texts[0].find("orient_faces"), std::string::npos) << told.texts[0];

@@ -18,6 +18,7 @@ class TestSurfaceReport(unittest.TestCase):
         self.assertEqual(self.count(data, "closed"), 1)
         self.assertEqual(self.count(data, "boundary_edges"), 0)
         self.assertEqual(self.count(data, "euler"), 2)
+        self.assertEqual(data.GetFieldData().GetArray("widest_slit").GetNumberOfTuples(), 0)
         advice = data.GetFieldData().GetAbstractArray("advice").GetValue(0)
         self.assertEqual(advice, "closed: every winding number is an integer")
         self.assertEqual(information(report, "Advice"), advice)
@@ -74,6 +75,9 @@ class TestSurfaceReport(unittest.TestCase):
         report.FaultThickness = 0
         faults = self.faults(report)
         self.assertEqual(faults["Boundary"].GetNumberOfLines(), 1)
+        width = self.count(result(report), "widest_slit")
+        self.assertGreater(width, 0.5)  # half a sphere of radius 0.5 has a hole of 0.7
+        self.assertEqual(faults["Boundary"].GetCellData().GetArray("SlitWidth").GetTuple1(0), width)
         edges = self.count(result(report), "boundary_edges")
         self.assertEqual(faults["Caps"].GetNumberOfPolys(), edges - 2)
         self.assertGreater(information(report, "FractionalShare"), 0.1)

@@ -223,6 +223,7 @@ class AccessorTest(Warned):
         report = scan().winding.report()
         self.assertEqual((report["closed"], report["boundary_loops"]), (0, 1))
         self.assertIsInstance(report["advice"], str)
+        self.assertIs(type(report["widest_slit"]), float)
         self.assertEqual(len(report["bbox"]), 6)
         self.assertIs(type(report["triangles"]), int)
         self.assertIs(type(report["area"]), float)

@@ -102,6 +102,16 @@ class FieldTest(unittest.TestCase):
         np.testing.assert_array_equal(Field(Mesh()).contains(POINTS), [True, False])
         self.assertEqual(vtkwinding.report(Mesh())["boundary_edges"], 0)
 
+    def test_reports_have_the_widest_slit(self):
+        self.assertIsNone(vtkwinding.report(CORNERS, CUBE)["widest_slit"])
+        faces = CUBE.copy()
+        own = CORNERS[faces[0]] + 1e-12
+        faces[0] = len(CORNERS) + np.arange(3)
+        report = vtkwinding.report(np.concatenate([CORNERS, own]), faces)
+        self.assertAlmostEqual(report["widest_slit"], 3 ** 0.5 * 1e-12, 14)
+        self.assertTrue(report["advice"].startswith("closed, except for slits of 2e-12: weld them"),
+                        report["advice"])
+
     def test_stays_what_it_is(self):
         vertices = CORNERS.copy()
         field = Field(vertices, CUBE)

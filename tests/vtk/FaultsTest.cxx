@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -193,6 +194,41 @@ TEST_F(Faults, OfHolesAreLoopsAndTheirCaps)
   EXPECT_EQ(caps->GetNumberOfCells(), sum - 2 * boundary->GetNumberOfCells());
   EXPECT_EQ(caps->GetCellData()->GetArray("Loop")->GetRange()[1], boundary->GetNumberOfCells() - 1);
   EXPECT_EQ(this->uncancelledEdgesWithCaps(source), 0u);
+}
+
+TEST_F(Faults, OfABoundaryHaveTheWidthsOfItsSlits)
+{
+  // The left half of a strip ends a little before the right half begins.
+  constexpr double width = 1e-9;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const double x : {0.0, 1.0, 1 + width, 2.0})
+  {
+    points->InsertNextPoint(x, 0, 0);
+    points->InsertNextPoint(x, 1, 0);
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const vtkIdType first : {0, 4})
+  {
+    cells->InsertNextCell({first, first + 2, first + 1});
+    cells->InsertNextCell({first + 1, first + 2, first + 3});
+  }
+  vtkNew<vtkPolyData> strip;
+  strip->SetPoints(points);
+  strip->SetPolys(cells);
+  this->reportOn(strip);
+  vtkDataArray* widths = this->block("Boundary")->GetCellData()->GetArray("SlitWidth");
+  ASSERT_NE(widths, nullptr);
+  ASSERT_EQ(widths->GetNumberOfTuples(), 2);
+  // The outer edges are a unit away from what runs the opposite way.
+  EXPECT_NEAR(widths->GetTuple1(0), 1, 1e-8);
+  EXPECT_NEAR(widths->GetTuple1(1), 1, 1e-8);
+  EXPECT_EQ(filter->GetWidestSlit(), widths->GetRange()[1]);
+  // Edges that two triangles use have no width.
+  this->reportOn(damaged(sphere(), {}, {100}, {}));
+  widths = this->block("Boundary")->GetCellData()->GetArray("SlitWidth");
+  ASSERT_GT(widths->GetNumberOfTuples(), 0);
+  EXPECT_TRUE(std::isnan(widths->GetTuple1(0)));
 }
 
 TEST_F(Faults, KnowTheirKindsAndAreColouredByThem)

@@ -21,6 +21,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -137,7 +138,7 @@ TEST_F(SurfaceReport, OfAClosedSurfacePassesItThroughWithItsCounts)
 
   EXPECT_EQ(this->names(),
     (std::vector<std::string>{"kind", "triangles", "vertices", "vertices_merged", "closed",
-      "boundary_edges", "boundary_loops", "nonmanifold_edges", "inconsistent_edges",
+      "boundary_edges", "boundary_loops", "widest_slit", "nonmanifold_edges", "inconsistent_edges",
       "net_boundary_edges", "components_vertex", "components_edge", "closed_components",
       "inverted_components", "nested_solids", "one_sided_components", "open_parts_inside",
       "duplicate_faces", "degenerate", "zero_area", "unreferenced_vertices", "euler", "volume",
@@ -154,6 +155,8 @@ TEST_F(SurfaceReport, OfAClosedSurfacePassesItThroughWithItsCounts)
   EXPECT_EQ(this->number("triangles"), source->GetNumberOfPolys());
   EXPECT_EQ(this->number("vertices"), source->GetNumberOfPoints());
   EXPECT_EQ(this->number("euler"), 2);
+  EXPECT_TRUE(std::isnan(this->number("widest_slit"))) << "there is no boundary";
+  EXPECT_EQ(filter->GetWidestSlit(), 0);
   vtkDataArray* box = output->GetFieldData()->GetArray("bbox");
   ASSERT_EQ(box->GetNumberOfComponents(), 6);
   ASSERT_EQ(box->GetNumberOfTuples(), 1);
@@ -192,6 +195,9 @@ TEST_F(SurfaceReport, HasGettersForASurface)
   EXPECT_EQ(filter->GetNumberOfTriangles(), polys->GetNumberOfCells());
   EXPECT_EQ(filter->GetNumberOfBoundaryEdges(), 3);
   EXPECT_EQ(filter->GetNumberOfBoundaryLoops(), 1);
+  EXPECT_GT(filter->GetWidestSlit(), 0.01);
+  EXPECT_LT(filter->GetWidestSlit(), 0.1);
+  EXPECT_EQ(filter->GetWidestSlit(), this->number("widest_slit"));
   EXPECT_EQ(filter->GetNumberOfNonManifoldEdges(), 3);
   EXPECT_EQ(filter->GetNumberOfInconsistentEdges(), 3);
   EXPECT_EQ(filter->GetNumberOfComponents(), 1);

@@ -30,22 +30,23 @@ _IN_LINE = 44  # letters of advice
 # Members of the library's reports that go into field data, in this order.
 _OF_SURFACE = (
     "triangles", "vertices", "vertices_merged", "closed", "boundary_edges", "boundary_loops",
-    "nonmanifold_edges", "inconsistent_edges", "net_boundary_edges", "components_vertex",
+    "widest_slit", "nonmanifold_edges", "inconsistent_edges", "net_boundary_edges",
+    "components_vertex",
     "components_edge", "closed_components", "inverted_components", "nested_solids",
     "one_sided_components", "open_parts_inside", "duplicate_faces", "degenerate", "zero_area",
     "unreferenced_vertices", "euler")
 _OF_CLOUD = (
     "points", "duplicates", "normals", "zero_normals", "non_unit_normals", "non_finite")
-_FLAGS = ("closed", "normals")
+_TYPES = {"closed": np.uint8, "normals": np.uint8, "widest_slit": np.float64}  # others are int64
 _MEASURES_OF_CLOUD = (
     "spacing_min", "spacing_median", "spacing_mean", "spacing_max", "opposite_neighbors",
     "w_behind", "w_before", "outward_share", "inward_share")
 _FAULTS = (("Caps", 1), ("Boundary", 0), ("NonManifoldEdges", 2), ("InconsistentEdges", 3))
 
 
-def _add_counts(data, report, names):
+def _add_members(data, report, names):
     for name in names:
-        add_number(data, name, getattr(report, name), np.uint8 if name in _FLAGS else np.int64)
+        add_number(data, name, getattr(report, name), _TYPES.get(name, np.int64))
 
 
 @declared
@@ -147,7 +148,7 @@ class SurfaceReport(Algorithm):
         self.call("winding_examine", _library.array_of(points), ctypes.byref(polygons), RUN,
                   ctypes.byref(report), note=advice.append)
         add_text(output, "kind", "surface")
-        _add_counts(output, report, _OF_SURFACE)
+        _add_members(output, report, _OF_SURFACE)
         add_number(output, "volume", report.volume)
         add_number(output, "area", report.area)
         add_number(output, "fractional_share", report.fractional_share)
@@ -174,7 +175,7 @@ class SurfaceReport(Algorithm):
             advice = ["the input has only lines, which bound nothing: make a surface of them first "
                       "(Tube)"]
         add_text(output, "kind", "points")
-        _add_counts(output, report, _OF_CLOUD)
+        _add_members(output, report, _OF_CLOUD)
         for name in _MEASURES_OF_CLOUD:
             add_number(output, name, getattr(report, name))
         add_number(output, "bbox", list(report.bbox))
@@ -267,7 +268,7 @@ def _numbers_of(name, arrays):
     if name == "Boundary":
         edges = np.diff(arrays["offsets"]) - 1
         return [copied("Edges", edges), copied("Loop", np.arange(len(numbers))),
-                copied("Multiplicity", numbers)]
+                copied("Multiplicity", numbers), copied("SlitWidth", arrays["slit_widths"])]
     return [copied("Triangles", numbers)] if name == "NonManifoldEdges" else []
 
 

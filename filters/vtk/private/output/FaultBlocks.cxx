@@ -5,6 +5,8 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
@@ -15,6 +17,7 @@
 #include "vtkTubeFilter.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -46,17 +49,14 @@ public:
     }
   }
 
+  ///@{
   /// The name of a number that every cell has, to be added after it.
   void addValue(const char* name, std::size_t value)
   {
-    auto& array = values_[name];
-    if (!array)
-    {
-      array = vtkSmartPointer<vtkIdTypeArray>::New();
-      array->SetName(name);
-    }
-    array->InsertNextValue(static_cast<vtkIdType>(value));
+    this->add<vtkIdTypeArray>(name, static_cast<double>(value));
   }
+  void addMeasure(const char* name, double value) { this->add<vtkDoubleArray>(name, value); }
+  ///@}
 
   vtkSmartPointer<vtkPolyData> make(bool areLines)
   {
@@ -99,11 +99,22 @@ public:
   }
 
 private:
+  template <class Array> void add(const char* name, double value)
+  {
+    auto& array = values_[name];
+    if (!array)
+    {
+      array = vtkSmartPointer<Array>::New();
+      array->SetName(name);
+    }
+    array->InsertNextTuple1(value);
+  }
+
   const Surface& surface_;
   std::vector<vtkIdType> newIds_; ///< by vertex: −1 unused, 0 used, until make() numbers them
   int pointType_;
   vtkNew<vtkCellArray> cells_;
-  std::map<std::string, vtkSmartPointer<vtkIdTypeArray>> values_;
+  std::map<std::string, vtkSmartPointer<vtkDataArray>> values_;
 };
 
 /// By the lower vertex and the higher one.
@@ -120,8 +131,8 @@ std::int32_t largestOf(const BoundaryLoop& loop, const Multiplicities& multiplic
   return largest;
 }
 
-vtkSmartPointer<vtkPolyData> boundaryBlock(
-  const Surface& surface, const BoundaryChain& chain, const BoundaryLoops& loops, int pointType)
+vtkSmartPointer<vtkPolyData> boundaryBlock(const Surface& surface, const BoundaryChain& chain,
+  const BoundaryLoops& loops, const SurfaceEdges& edges, const Slits& slits, int pointType)
 {
   Multiplicities multiplicities; // the few that are more than 1
   for (const BoundaryEdge& edge : chain.edges)
@@ -140,6 +151,8 @@ vtkSmartPointer<vtkPolyData> boundaryBlock(
     maker.addValue("Loop", i);
     maker.addValue("Edges", loops[i].size());
     maker.addValue("Multiplicity", static_cast<std::size_t>(largestOf(loops[i], multiplicities)));
+    maker.addMeasure("SlitWidth",
+      widestAlong(loops[i], edges, slits).value_or(std::numeric_limits<double>::quiet_NaN()));
   }
   return maker.make(true);
 }
@@ -223,8 +236,8 @@ bool allPairUp(const SurfaceEdges& edges)
 
 } // namespace
 
-vtkSmartPointer<vtkMultiBlockDataSet> faultBlocks(
-  const Surface& surface, const SurfaceEdges& edges, const FaultShape& shape, Executor& executor)
+vtkSmartPointer<vtkMultiBlockDataSet> faultBlocks(const Surface& surface, const SurfaceEdges& edges,
+  const Slits& slits, const FaultShape& shape, Executor& executor)
 {
   const BoundaryChain chain = allPairUp(edges) ? BoundaryChain() : boundaryChain(surface, executor);
   const BoundaryLoops loops = boundaryLoops(chain.edges, surface.vertices.size(), executor);
@@ -247,7 +260,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> faultBlocks(
     blocks->GetMetaData(place)->Set(vtkCompositeDataSet::NAME(), name);
   };
   set(0, "Caps", capBlock(surface, loops, shape.pointType));
-  set(1, "Boundary", boundaryBlock(surface, chain, loops, shape.pointType));
+  set(1, "Boundary", boundaryBlock(surface, chain, loops, edges, slits, shape.pointType));
   set(2, "NonManifoldEdges", nonManifoldBlock(surface, edges, shape.pointType));
   set(3, "InconsistentEdges", inconsistentBlock(surface, edges, shape.pointType));
   return blocks;

@@ -2,6 +2,7 @@
 
 #include "base/Executor.h"
 #include "source/Surface.h"
+#include "surface/Slits.h"
 #include "surface/SurfaceEdges.h"
 
 #include "vtkSmartPointer.h"
@@ -28,7 +29,8 @@ struct FaultShape
  *   data: Loop, the loop's number.
  * - Boundary: the loops of the net boundary (Boundary.h) as closed polylines, which run along an
  *   edge once for each time that it does not cancel. Cell data: Loop; Edges, the number of its
- *   edges; Multiplicity, the largest of its edges' multiplicities.
+ *   edges; Multiplicity, the largest of its edges' multiplicities;
+ *   SlitWidth, the largest width of its edges of one triangle (Slits.h), NaN without any.
  * - NonManifoldEdges: the edges that more than two triangles use, as lines. Cell data: Triangles,
  *   the number of triangles that use the edge.
  * - InconsistentEdges: the edges that two triangles use in the same direction, as lines.
@@ -37,7 +39,7 @@ struct FaultShape
  *
  * The points of a block are the vertices that it uses, in their order. Throws Interrupted.
  */
-vtkSmartPointer<vtkMultiBlockDataSet> faultBlocks(
-  const Surface& surface, const SurfaceEdges& edges, const FaultShape& shape, Executor& executor);
+vtkSmartPointer<vtkMultiBlockDataSet> faultBlocks(const Surface& surface, const SurfaceEdges& edges,
+  const Slits& slits, const FaultShape& shape, Executor& executor);
 
 } // namespace winding

@@ -105,6 +105,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source,
   writer.flag("closed", edges.isClosed() && !surface.triangles.empty());
   writer.count("boundary_edges", edges.boundary);
   writer.count("boundary_loops", edges.boundaryLoops);
+  writer.measure("widest_slit", report.widestSlit);
   writer.count("nonmanifold_edges", edges.nonManifold);
   writer.count("inconsistent_edges", edges.inconsistent);
   writer.count("net_boundary_edges", edges.netBoundary);
@@ -138,7 +139,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source,
   const std::vector<Message> notes = notesOn(cells);
   advice.insert(advice.end(), notes.begin(), notes.end());
   writer.text("advice", lineOf(advice));
-  return faultBlocks(surface, found.edges, shape, executor);
+  return faultBlocks(surface, found.edges, report.slits, shape, executor);
 }
 
 void reportOnCloud(InputViews& source, Writer& writer, Executor& executor)
