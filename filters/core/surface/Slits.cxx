@@ -113,19 +113,25 @@ struct Piece
   float first, last;
 };
 
-/// Cuts edges into pieces of equal length where they are longer than others: boxes around long
-/// edges overlap, and a point would lie in very many of them. There are at most four times as many
-/// pieces as edges.
+/// Cuts edges that are more than twice as long as the median into pieces of equal length: boxes
+/// around long edges overlap, and a point would lie in very many of them. There are at most four
+/// times as many pieces as edges.
 std::vector<Piece> piecesOf(const std::vector<DirectedEdge>& edges)
 {
   constexpr double unitsPerSize = 4'294'967'296.0; // integers have the same sum in any order
   std::uint64_t sum = 0;
+  std::vector<double> lengths;
+  lengths.reserve(edges.size());
   for (const DirectedEdge& edge : edges)
   {
-    sum += static_cast<std::uint64_t>(std::ceil(unitsPerSize * edge.direction().norm()));
+    lengths.push_back(edge.direction().norm());
+    sum += static_cast<std::uint64_t>(std::ceil(unitsPerSize * lengths.back()));
   }
-  const double most =
-    static_cast<double>(sum) / unitsPerSize / (3 * static_cast<double>(edges.size()));
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  const double median = edges.empty() ? 0 : *middle;
+  const double most = std::max(
+    2 * median, static_cast<double>(sum) / unitsPerSize / (3 * static_cast<double>(edges.size())));
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < edges.size(); ++i)
   {
