@@ -3,6 +3,7 @@
 #include "field/FieldVolume.h"
 #include "messages/PropertyChecks.h"
 #include "report/GridAdvice.h"
+#include "report/InputUnits.h"
 #include "report/LabelFacts.h"
 #include "report/SourceAdvice.h"
 #include "source/Sanitize.h"
@@ -143,6 +144,7 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
         insideRule == winding::InsideRule::absoluteThreshold, call.executor);
       winding::SolidEvaluation evaluation(evaluationOptions(inside, wished));
       winding::LabelFacts facts;
+      std::vector<winding::NamedBounds> bounds;
       std::vector<char> hasVoxels(count, 0);
       const auto labelOf = [&](std::size_t i)
       {
@@ -162,6 +164,7 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
         {
           throw Misuse("a number of numbers is 0");
         }
+        bounds.push_back({nameOf(i), field.info().bounds});
         const auto all = static_cast<double>(count);
         call.executor.setShare(static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
         const winding::SolidSize size = wished.overlap_rule == WINDING_OVERLAP_RULE_SMALLEST
@@ -212,6 +215,11 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
             facts.hidden.add(nameOf(i));
           }
         }
+      }
+      const auto units = winding::unitAdvice(bounds);
+      if (units && isWhole && !wished.have_one_unit)
+      {
+        call.warn(*units);
       }
       warnOfSolids(facts, count, call);
     });

@@ -635,6 +635,8 @@ extern "C"
     int32_t overlap_rule;     /**< a winding_overlap_rule. Default: ..._FIRST */
     int32_t coverage;         /**< a winding_coverage. Default: ..._CENTER */
     int32_t coverage_samples; /**< along each axis, for fractions, 1 to 10. Default: 4 */
+    int32_t have_one_unit;    /**< whether solids surely have one unit, as parts of a mesh have:
+                                   there is no warning of others then. Default: 0 */
   } winding_label_options;
 
   /**
@@ -684,7 +686,8 @@ extern "C"
    * @param run null for the defaults
    * @param refusal receives why the call was refused, unless it is null
    *
-   * Warns, for the whole grid only, of solids without a label.
+   * Warns, for the whole grid only, of solids without a label, and of solids that seem to be in
+   * another unit than the others, as inches are next to millimetres.
    */
   WINDING_API winding_status winding_label(const winding_field* const* fields,
     const uint16_t* numbers, size_t count, const winding_grid* grid, const int32_t* extent,

@@ -151,7 +151,7 @@ class Verification(Sized):
 class LabelOptions(Sized):
     _init_ = "winding_label_options_init"
     _fields_ = [("size", ctypes.c_uint32), ("overlap_rule", _int32), ("coverage", _int32),
-                ("coverage_samples", _int32)]
+                ("coverage_samples", _int32), ("have_one_unit", _int32)]
 
 
 class Labels(Sized):

@@ -447,7 +447,7 @@ class WindingAccessor:
         names, numbers = [name for name, _, _ in solids], [number for _, number, _ in solids]
         with bar(progress_bar, "Labelling") as show:
             found = fields.label(made, grid, sides, rule, cover, numbers=numbers, names=names,
-                                 show=show)
+                                 have_one_unit=not isinstance(self._mesh, pv.MultiBlock), show=show)
         image = _images.over(grid, False)
         image.point_data["Label"] = found.ravel(order="F")
         image.field_data["LabelNames"] = names

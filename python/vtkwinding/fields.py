@@ -475,12 +475,14 @@ def box_of(fields):
     return np.stack([low, high], 1).ravel().tolist()
 
 
-def label(fields, grid, sides, overlap, coverage, *, numbers=None, names=None, show=None):
+def label(fields, grid, sides, overlap, coverage, *, numbers=None, names=None,
+          have_one_unit=False, show=None):
     """Labels of fields at the samples of a grid of the library, by numbers for the choices. The
-    labels are 1, 2, ... unless they are given."""
+    labels are 1, 2, ... unless they are given. Units are compared unless the fields have one."""
     found = _empty(tuple(grid.dimensions), np.uint16)
     handles = (ctypes.c_void_p * len(fields))(*(field._handle(False).value for field in fields))
-    options = _library.LabelOptions(overlap_rule=overlap, coverage=coverage)
+    options = _library.LabelOptions(overlap_rule=overlap, coverage=coverage,
+                                    have_one_unit=have_one_unit)
     arrays = _library.Labels(labels=found.ctypes.data)
     if names is not None:
         texts = (ctypes.c_char_p * len(names))(*(str(name).encode() for name in names))

@@ -123,6 +123,32 @@ TEST(SolidsOfASurface, AreNumberedByTheirTriangles)
   EXPECT_EQ(solids.back(), -1);
 }
 
+TEST(Labels, WarnOfSolidsInAnotherUnit)
+{
+  const Field left = fieldOf(shapes::cube({0, 0, 0}, {100, 100, 100}));
+  const Field right = fieldOf(shapes::cube({0.1, 0, 0}, {0.2, 0.1, 0.1}));
+  const winding_field* const fields[] = {left.get(), right.get()};
+  const char* const names[] = {"left", "right"};
+  const winding_grid grid = {{0.05, 0.05, 0.05}, {0.1, 1, 1}, {2, 1, 1}};
+  std::uint16_t labels[2];
+  auto arrays = with(winding_labels_init);
+  arrays.labels = labels;
+  arrays.names = names;
+  auto options = with(winding_label_options_init);
+  const auto firstWarning = [&]
+  {
+    Warnings told;
+    EXPECT_EQ(winding_label(
+                fields, nullptr, 2, &grid, nullptr, nullptr, &options, &arrays, &told.run, nullptr),
+      WINDING_OK);
+    return told.texts.empty() ? std::string() : told.texts[0];
+  };
+  const std::string start = "'right' seems to be in another unit: scale it by 1000";
+  EXPECT_EQ(firstWarning().rfind(start, 0), 0u) << firstWarning();
+  options.have_one_unit = 1;
+  EXPECT_EQ(firstWarning().find("another unit"), std::string::npos) << firstWarning();
+}
+
 TEST(OpenParts, AreSheetsInsideOfClosedOnes)
 {
   Mesh mesh = shapes::cube();

@@ -102,6 +102,15 @@ class FieldTest(unittest.TestCase):
         np.testing.assert_array_equal(Field(Mesh()).contains(POINTS), [True, False])
         self.assertEqual(vtkwinding.report(Mesh())["boundary_edges"], 0)
 
+    def test_labels_warn_of_solids_in_another_unit(self):
+        solids = [Field(100 * CORNERS, CUBE), Field((CORNERS + [1, 0, 0]) / 10, CUBE)]
+        with self.assertWarnsRegex(vtkwinding.WindingWarning, "'2' seems to be in another unit"):
+            vtkwinding.labels(solids, resolution=8)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            vtkwinding.labels([Field(CORNERS, CUBE), Field(CORNERS + [1, 0, 0], CUBE)], resolution=8)
+        self.assertEqual([str(one.message) for one in caught], [])
+
     def test_reports_have_the_widest_slit(self):
         self.assertIsNone(vtkwinding.report(CORNERS, CUBE)["widest_slit"])
         faces = CUBE.copy()

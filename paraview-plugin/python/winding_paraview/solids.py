@@ -456,7 +456,8 @@ class WindingNumberLabels(ImageAlgorithm):
         arrays.names = ctypes.addressof(names)
         options = _library.LabelOptions(
             overlap_rule=self.value("OverlapRule"), coverage=self.value("Coverage"),
-            coverage_samples=self.value("CoverageSamples"))
+            coverage_samples=self.value("CoverageSamples"),
+            have_one_unit=self.GetNumberOfInputConnections(0) < 2)
         if count:
             self.between(0.3, 1)
             self.evaluate(
