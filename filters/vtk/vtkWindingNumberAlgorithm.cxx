@@ -13,7 +13,9 @@
 #include "private/source/SourceField.h"
 #include "private/source/SourceParts.h"
 #include "private/source/SourceProperties.h"
+#include "private/source/SourceUnits.h"
 #include "report/ExpectedTimeAdvice.h"
+#include "report/InputUnits.h"
 #include "report/SourceAdvice.h"
 #include "source/Grid.h"
 
@@ -138,6 +140,18 @@ void vtkWindingNumberAlgorithm::SetController(vtkMultiProcessController* control
 vtkMultiProcessController* vtkWindingNumberAlgorithm::GetController() const
 {
   return this->Controller;
+}
+
+std::string vtkWindingNumberAlgorithm::GetUnitAdvice(
+  const std::vector<vtkDataObject*>& inputs, const std::vector<std::string>& names)
+{
+  std::vector<winding::NamedBounds> compared;
+  for (std::size_t i = 0; i < std::min(inputs.size(), names.size()); ++i)
+  {
+    compared.push_back({names[i], winding::pointBoundsOf(inputs[i])});
+  }
+  const auto advice = winding::unitAdvice(compared);
+  return advice ? winding::lineOf(*advice) : "";
 }
 
 bool vtkWindingNumberAlgorithm::IsHelper() const

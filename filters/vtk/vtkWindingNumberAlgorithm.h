@@ -62,6 +62,8 @@
 
 #include <functional>
 #include <memory> // for the field of the source, which is kept
+#include <string> // for names of inputs
+#include <vector> // for several inputs
 
 namespace winding
 {
@@ -145,6 +147,12 @@ public:
   static void SetNamesInMessages(int names);
   static int GetNamesInMessages();
   ///@}
+
+  /// Returns one line about inputs that seem to be in another unit than the others, as inches are
+  /// next to millimetres; empty where all fit. Their bounds are compared. `names` are what to call
+  /// them.
+  static std::string GetUnitAdvice(
+    const std::vector<vtkDataObject*>& inputs, const std::vector<std::string>& names);
 
   /// The kinds of sources.
   enum SourceKindType

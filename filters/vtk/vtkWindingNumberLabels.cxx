@@ -13,6 +13,7 @@
 #include "private/source/Solids.h"
 #include "private/source/SourceProperties.h"
 #include "report/GridAdvice.h"
+#include "report/InputUnits.h"
 #include "report/InsideOutAdvice.h"
 #include "report/LabelFacts.h"
 #include "report/Verify.h"
@@ -448,6 +449,12 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
   {
     vtkWarningMacro(<< "no voxel has the labels of empty blocks: leave them out; "
                     << facts.empty.outOf(count));
+  }
+  // Regions and blocks of one data set have one unit.
+  const auto units = winding::unitAdvice(facts.bounds);
+  if (units && this->GetNumberOfInputConnections(0) > 1)
+  {
+    vtkWarningMacro(<< winding::lineOf(*units));
   }
   if (facts.openParts.count() > 0)
   {

@@ -5,6 +5,7 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCubeSource.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
@@ -281,6 +282,43 @@ TEST_F(LabelInputs, SeveralInputsAreSolids)
   EXPECT_EQ(shortsOf(labels->GetOutput()->GetPointData()), expected);
   EXPECT_EQ(names()[2], "solid 2");
   EXPECT_EQ(names()[3], "Input 2");
+}
+
+TEST_F(LabelInputs, SeveralInputsInAnotherUnitAreTold)
+{
+  const auto box = [](double from, double to, double side)
+  {
+    vtkNew<vtkCubeSource> cube;
+    cube->SetBounds(from, to, 0, side, 0, side);
+    cube->Update();
+    vtkSmartPointer<vtkPolyData> made = cube->GetOutput();
+    return made;
+  };
+  const auto warningsOf = [this](const Surfaces& inputs)
+  {
+    ErrorLog log(labels);
+    labels->RemoveAllInputs();
+    for (const auto& input : inputs)
+    {
+      labels->AddInputData(input);
+    }
+    labels->SetInputName(1, "right.stl");
+    labels->Update();
+    return log.warnings();
+  };
+  const auto left = box(0, 100, 100);
+  EXPECT_EQ(warningsOf({left, box(100, 200, 100)}), "");
+  for (const double unit : {1000.0, 25.4})
+  {
+    const std::string told = warningsOf({left, box(100 / unit, 200 / unit, 100 / unit)});
+    EXPECT_NE(told.find("'right.stl' seems to be in another unit"), std::string::npos) << told;
+  }
+  // The blocks of one data set have one unit.
+  labels->RemoveAllInputs();
+  ErrorLog log(labels);
+  labels->SetInputData(asAssembly({left, box(0.1, 0.2, 0.1)}));
+  labels->Update();
+  EXPECT_EQ(log.warnings().find("another unit"), std::string::npos) << log.warnings();
 }
 
 /// The parts by connectivity have labels by their triangles, most first; of as many, by their

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "field/Field.h"
+#include "report/InputUnits.h"
 #include "report/ThinParts.h"
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace winding
 {
@@ -45,25 +47,27 @@ private:
 struct LabelFacts
 {
   FieldInfo source; ///< sums over all solids; method, reason and kind are those of the largest
-  std::size_t largest = 0;       ///< primitives of the solid that has most
-  std::size_t expected = 0;      ///< number of all solids
-  std::size_t solids = 0;        ///< number of those that were added
-  NamedSolids empty;             ///< solids without primitives
-  NamedSolids open;              ///< surfaces with net boundary edges
-  NamedSolids openParts;         ///< others that are open inside of closed ones
-  NamedSolids insideOut;         ///< those where w is negative and nothing is inside
-  NamedSolids missed;            ///< those that the grid misses
-  NamedSolids thin;              ///< others without a voxel inside, which do not look inward
-  NamedSolids lostInPart;        ///< those with parts that are thinner than a voxel
-  ThinParts largestLoss;         ///< of these, the one with the largest share
-  NamedSolids hidden;            ///< those whose voxels all have other labels
-  NamedSolids partlyInsideOut;   ///< those where w is negative in part, and something is inside
-  NamedSolids warned;            ///< those with a warning
-  std::vector<Message> warnings; ///< of the first solid that has some
+  std::size_t largest = 0;         ///< primitives of the solid that has most
+  std::size_t expected = 0;        ///< number of all solids
+  std::size_t solids = 0;          ///< number of those that were added
+  NamedSolids empty;               ///< solids without primitives
+  NamedSolids open;                ///< surfaces with net boundary edges
+  NamedSolids openParts;           ///< others that are open inside of closed ones
+  NamedSolids insideOut;           ///< those where w is negative and nothing is inside
+  NamedSolids missed;              ///< those that the grid misses
+  NamedSolids thin;                ///< others without a voxel inside, which do not look inward
+  NamedSolids lostInPart;          ///< those with parts that are thinner than a voxel
+  ThinParts largestLoss;           ///< of these, the one with the largest share
+  NamedSolids hidden;              ///< those whose voxels all have other labels
+  NamedSolids partlyInsideOut;     ///< those where w is negative in part, and something is inside
+  NamedSolids warned;              ///< those with a warning
+  std::vector<Message> warnings;   ///< of the first solid that has some
+  std::vector<NamedBounds> bounds; ///< of all solids that were added
 
   void add(const FieldInfo& info, const std::string& name, bool isOpenPart)
   {
     ++solids;
+    bounds.push_back({name, info.bounds});
     if (solids == 1 || info.primitives > largest)
     {
       FieldInfo sums = info;

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "base/Bounds.h"
+
+class vtkDataObject;
+
+namespace winding
+{
+
+/// Returns the box around the points of a data set, or of all leaves of a composite one; empty
+/// without any. Points that are not finite are left out.
+Bounds pointBoundsOf(vtkDataObject* data);
+
+} // namespace winding
