@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 // Surfaces as people have them, whose winding numbers mean something else than their owners expect:
@@ -426,6 +427,49 @@ TEST_F(SurfaceInputs, SeveralFilesAreOneSource)
                 .saysInOneLine({"none.stl: "}));
   EXPECT_TRUE(runProgram({"surface", walls, inlet, "-o", inlet}).saysInOneLine({"inlet.stl"}));
   EXPECT_TRUE(runProgram({"probe", box, "-o", answers}).saysInOneLine({"QUERIES is required"}));
+}
+
+TEST_F(SurfaceInputs, FilesInAnotherUnitAreTold)
+{
+  const Points corners = cornersOfBox(0, 6000, 1000);
+  const Polygons faces = facesOfBox();
+  const std::string walls =
+    folder.write("walls.obj", asObj(corners, {faces[0], faces[1], faces[2], faces[4]}));
+  const std::string outlet = folder.write("outlet.off", asOff({corners, {{1, 2, 6}, {1, 6, 5}}}));
+  const auto inletTimes = [&](double scale)
+  {
+    Points ends = {corners[3], corners[0], corners[4], corners[7]};
+    for (auto& end : ends)
+    {
+      end = {scale * end[0], scale * end[1], scale * end[2]};
+    }
+    return folder.write("inlet.obj", asObj(ends, {{0, 1, 2, 3}}));
+  };
+  const auto warningsOf = [&](const std::string& inlet)
+  {
+    return runProgram({"surface", walls, inlet, outlet, "-o", folder.path("out.ply")}).err;
+  };
+  EXPECT_EQ(warningsOf(inletTimes(1)), "");
+  for (const auto& [unit, factor] : {std::make_pair(1000.0, "1000"), {25.4, "25.4"}})
+  {
+    const std::string warnings = warningsOf(inletTimes(1 / unit));
+    const std::string expected =
+      std::string("'inlet.obj' seems to be in another unit: scale it by ") + factor + ";";
+    EXPECT_NE(warnings.find(expected), std::string::npos) << warnings;
+    EXPECT_EQ(warnings.find(expected, warnings.find(expected) + 1), std::string::npos) << "once";
+  }
+  // Solids of labels are compared, too. A bolt next to a ship is none in another unit.
+  const std::string box = folder.write("box.obj", asObj(corners, faces));
+  const std::string small = folder.write("small.obj", asObj(cornersOfBox(6, 7, 1), faces));
+  const std::string bolt = folder.write("bolt.obj", asObj(cornersOfBox(2, 2.5, 0.1), faces));
+  const auto labelled = [&](const std::string& other)
+  {
+    return runProgram({"labels", box, other, "-o", folder.path("labels.vti"), "--resolution", "8"})
+      .err;
+  };
+  EXPECT_NE(labelled(small).find("'small.obj' seems to be in another unit"), std::string::npos)
+    << labelled(small);
+  EXPECT_EQ(labelled(bolt).find("another unit"), std::string::npos) << labelled(bolt);
 }
 
 TEST_F(SurfaceInputs, PointsHaveNoFacesToTurn)

@@ -15,6 +15,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
+#include "vtkWindingNumberAlgorithm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -134,5 +135,17 @@ vtkSmartPointer<vtkDataObject> readSource(const Options& options, Messages& mess
       vtkCompositeDataSet::NAME(), std::filesystem::path(unpackedName(file)).stem().c_str());
   }
   messages.setSubject(options.input); // what follows is about all of them
+  std::vector<vtkDataObject*> inputs;
+  std::vector<std::string> names;
+  for (unsigned int block = 0; block < blocks->GetNumberOfBlocks(); ++block)
+  {
+    inputs.push_back(blocks->GetBlock(block));
+    names.push_back(std::filesystem::path(files[block]).filename());
+  }
+  const std::string advice = vtkWindingNumberAlgorithm::GetUnitAdvice(inputs, names);
+  if (!advice.empty())
+  {
+    messages.warn(advice);
+  }
   return blocks;
 }
