@@ -113,9 +113,9 @@ struct Piece
   float first, last;
 };
 
-/// Cuts edges that are more than twice as long as the median into pieces of equal length: boxes
-/// around long edges overlap, and a point would lie in very many of them. There are at most four
-/// times as many pieces as edges.
+/// Cuts edges that are longer than the median times 1.3 into pieces of equal length: boxes around
+/// long edges overlap, and a point would lie in very many of them. There are at most four times as
+/// many pieces as edges.
 std::vector<Piece> piecesOf(const std::vector<DirectedEdge>& edges)
 {
   constexpr double unitsPerSize = 4'294'967'296.0; // integers have the same sum in any order
@@ -130,8 +130,8 @@ std::vector<Piece> piecesOf(const std::vector<DirectedEdge>& edges)
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
   const double median = edges.empty() ? 0 : *middle;
-  const double most = std::max(
-    2 * median, static_cast<double>(sum) / unitsPerSize / (3 * static_cast<double>(edges.size())));
+  const double most = std::max(1.3 * median,
+    static_cast<double>(sum) / unitsPerSize / (3 * static_cast<double>(edges.size())));
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < edges.size(); ++i)
   {
@@ -175,7 +175,7 @@ public:
       });
     const std::vector<SourceNode>& nodes = tree_->nodes();
     boxes_.resize(nodes.size());
-    items_.resize(pieces.size());
+    ofPieces_.resize(pieces.size());
     for (std::size_t n = boxes_.size(); n-- > 0;) // children stand behind their parents
     {
       const SourceNode& node = nodes[n];
@@ -187,7 +187,7 @@ public:
       for (std::uint32_t i = node.begin; node.children == 0 && i < node.end; ++i)
       {
         const Piece& piece = pieces[tree_->order()[i]];
-        items_[i] = piece.edge;
+        ofPieces_[i] = edges_[piece.edge];
         if (piece.first == 0)
         {
           order_.push_back(piece.edge);
@@ -207,11 +207,12 @@ public:
   const std::vector<std::uint32_t>& order() const { return order_; }
 
   /// Returns the opposite of an edge that is nearest to one of its points. It looks first among the
-  /// edges of some numbers, to have a limit for the others.
+  /// edges of some numbers, for a limit to the others, and no further once the squared distance
+  /// is at most `enough`.
   Opposite nearest(const DirectedEdge& edge, const Vector3d& point,
-    std::initializer_list<IncidentEdges> likely) const
+    std::initializer_list<IncidentEdges> likely, double enough) const
   {
-    Query query = {edge, edge.direction(), point};
+    Query query = {edge, edge.direction(), point, enough};
     for (const IncidentEdges& edges : likely)
     {
       for (const std::uint32_t* other = edges.begin; other != edges.end; ++other)
@@ -219,7 +220,7 @@ public:
         this->compare(query, edges_[*other]);
       }
     }
-    if (!boxes_.empty() && query.found.squared > 0)
+    if (!boxes_.empty())
     {
       this->look(query, 0);
     }
@@ -240,6 +241,7 @@ private:
     const DirectedEdge& edge;
     const Vector3d direction;
     const Vector3d point;
+    const double enough;
     Opposite found = {};
     double limit =
       std::numeric_limits<double>::infinity(); ///< squared, beyond which nothing counts
@@ -260,12 +262,16 @@ private:
 
   void look(Query& query, std::uint32_t number) const
   {
+    if (query.found.squared <= query.enough)
+    {
+      return;
+    }
     const SourceNode& node = tree_->nodes()[number];
     if (node.children == 0)
     {
       for (std::uint32_t i = node.begin; i < node.end; ++i)
       {
-        this->compare(query, edges_[items_[i]]);
+        this->compare(query, ofPieces_[i]);
       }
       return;
     }
@@ -310,8 +316,9 @@ private:
   }
 
   std::vector<DirectedEdge> edges_;
-  std::optional<SourceTree> tree_;   ///< of pieces
-  std::vector<std::uint32_t> items_; ///< the edges of pieces, in the tree's order
+  std::optional<SourceTree> tree_; ///< of pieces
+  std::vector<DirectedEdge>
+    ofPieces_; ///< edges of pieces, in the tree's order: leaves lie together
   std::vector<std::uint32_t> order_;
   std::vector<Boxes> boxes_;
   double rounding_ = 0; ///< no distance is rounded by more
@@ -379,10 +386,10 @@ Slits slitsOf(const Surface& surface, const SurfaceEdges& edges, Executor& execu
         const DirectedEdge& edge = rims[i];
         const IncidentEdges atFrom = atVertices[directed.ends[i][0]],
                             atTo = atVertices[directed.ends[i][1]];
-        const Opposite middle = rims.nearest(edge, (edge.from + edge.to) / 2, {atFrom, atTo});
-        const double squared =
-          std::max({middle.squared, rims.nearest(edge, edge.from, {atFrom}).squared,
-            rims.nearest(edge, edge.to, {atTo}).squared});
+        const Opposite middle = rims.nearest(edge, (edge.from + edge.to) / 2, {atFrom, atTo}, -1);
+        double squared = middle.squared;
+        squared = std::max(squared, rims.nearest(edge, edge.from, {atFrom}, squared).squared);
+        squared = std::max(squared, rims.nearest(edge, edge.to, {atTo}, squared).squared);
         slits.widths[i] = lengthOf(squared);
         slits.endDistances[i] = lengthOf(middle.squaredOfEnds);
       }

@@ -38,7 +38,7 @@ struct Slits
   std::optional<double> widest() const;
 };
 
-/// Measures slits. Takes O(n log n) time in practice and 200 bytes for each of n edges of one
+/// Measures slits. Takes O(n log n) time in practice and 300 bytes for each of n edges of one
 /// triangle. Throws Interrupted.
 Slits slitsOf(const Surface& surface, const SurfaceEdges& edges, Executor& executor);
 
