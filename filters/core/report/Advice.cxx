@@ -73,7 +73,7 @@ Message slitAdviceOn(const SurfaceReport& report)
       "; winding numbers are between integers only next to these");
   if (report.canBeWelded())
   {
-    advice.remedies.push_back({"weld them", {}});
+    advice.remedies.push_back({"weld them", {Parameter::weldTolerance}});
   }
   else
   {
