@@ -85,6 +85,23 @@ TEST(ImageQueries, LieWhereMedicalHeadersSay)
   expectPlace("head.nii", packedByGzip(asNifti(NiftiKind::sform)), 1e-6);
 }
 
+/// Returns a text with its first `before` replaced.
+std::string with(std::string text, const std::string& before, const std::string& after)
+{
+  return text.replace(text.find(before), before.size(), after);
+}
+
+TEST(ImageQueries, FieldsOfNrrdHaveNamesInSeveralSpellings)
+{
+  const std::string nrrd = asNrrd("left-posterior-superior");
+  expectPlace("head.nrrd", with(nrrd, "space directions", "Space Directions"));
+  expectPlace("head.nrrd", with(nrrd, "space origin", "SPACE ORIGIN"));
+  expectPlace("head.nrrd", with(nrrd, "space directions", "spacedirections"));
+  expectPlace("head.nrrd", with(nrrd, "space origin", "spaceorigin"));
+  expectPlace("head.nrrd", with(with(nrrd, "sizes", "SIZES"), "dimension", "Dimension"));
+  expectPlace("head.nrrd", with(nrrd, "kinds", "sizes:=1 1 1\nspace origin:=key of a user\nkinds"));
+}
+
 TEST(ImageQueries, WithoutDirectionsAreStraight)
 {
   const TemporaryFolder folder;
@@ -181,10 +198,6 @@ TEST(ImageQueries, DamagedHeadersAreRefusedInOneLine)
     EXPECT_EQ(run.status, 2) << run;
     EXPECT_TRUE(run.saysInOneLine({name, words})) << words << "\n" << run;
   };
-  const auto with = [](std::string text, const std::string& before, const std::string& after)
-  {
-    return text.replace(text.find(before), before.size(), after);
-  };
   const std::string meta = asMetaImage(), nrrd = asNrrd("LPS"), nifti = asNifti(NiftiKind::sform);
   refuses("a.mha", with(meta, "NDims = 3", "NDims = 2"), "no image of three dimensions");
   refuses("a.mha", with(meta, "DimSize = 7", "DimSize = 0"), "no number of voxels");
@@ -201,6 +214,7 @@ TEST(ImageQueries, DamagedHeadersAreRefusedInOneLine)
   refuses("a.nrrd", with(nrrd, "(", "none ("), "no image of three dimensions");
   refuses("a.nrrd", with(nrrd, "dimension: 3", "dimension: 4"), "not 4");
   refuses("a.nrrd", with(nrrd, "sizes", "size"), "no sizes");
+  refuses("a.nrrd", with(nrrd, "kinds", "Sizes: 7 8 9\nkinds"), "has 'Sizes' twice");
   refuses("a.nrrd", nrrd.substr(0, nrrd.find("kinds")), "no end");
   refuses("a.nii", nifti.substr(0, 347), "does not begin like NIfTI");
   refuses("a.nii", with(nifti, "n+1", "xxx"), "Analyze");

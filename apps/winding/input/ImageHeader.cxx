@@ -77,25 +77,61 @@ int sizeOf(double value, const std::string& key)
 /// The fields of a header by their keys.
 using Fields = std::map<std::string, std::string>;
 
-/// Takes the fields off a header as text, up to the line that `isLast` is true of. A header that
-/// does not come to one has another kind of data, or is cut off.
-template <class IsLast>
-Fields fieldsOf(const std::string& head, std::size_t start, char between, const IsLast& isLast)
+/// Takes the next line off a header as text. Throws HeaderFault behind the last one: the file has
+/// another kind of data, or is cut off.
+std::string_view takeHeaderLine(const std::string& head, std::size_t& start)
+{
+  if (start >= head.size())
+  {
+    refuse("its header has no end");
+  }
+  return trimmed(takeLine(head, start));
+}
+
+/// Reads the fields of a MetaImage, up to ElementDataFile.
+Fields metaFields(const std::string& head)
 {
   Fields fields;
-  for (bool isDone = false; !isDone;)
+  std::size_t start = 0;
+  while (fields.count("ElementDataFile") == 0)
   {
-    if (start >= head.size())
-    {
-      refuse("its header has no end");
-    }
-    const std::string_view line = trimmed(takeLine(head, start));
-    const std::size_t at = line.find(between);
-    if (at != std::string_view::npos && line.front() != '#')
+    const std::string_view line = takeHeaderLine(head, start);
+    if (const std::size_t at = line.find('='); at != std::string_view::npos)
     {
       fields[std::string(trimmed(line.substr(0, at)))] = trimmed(line.substr(at + 1));
     }
-    isDone = isLast(line);
+  }
+  return fields;
+}
+
+/// Returns the name of a field of NRRD in small letters and without blanks. Teem ignores case, and
+/// has names of several words in both ways.
+std::string nrrdName(std::string_view name)
+{
+  std::string plain = inSmallLetters(name);
+  plain.erase(std::remove(plain.begin(), plain.end(), ' '), plain.end());
+  return plain;
+}
+
+/// Reads the fields of a NRRD by nrrdName(), up to an empty line.
+Fields nrrdFields(const std::string& head)
+{
+  Fields fields;
+  std::size_t start = 0;
+  takeHeaderLine(head, start); // the format's name
+  for (std::string_view line = takeHeaderLine(head, start); !line.empty();
+       line = takeHeaderLine(head, start))
+  {
+    const std::size_t at = line.find(':');
+    // The key of a user has := behind it.
+    if (line.front() != '#' && at != std::string_view::npos && line.substr(at, 2) != ":=")
+    {
+      const std::string name(trimmed(line.substr(0, at)));
+      if (!fields.emplace(nrrdName(name), trimmed(line.substr(at + 1))).second)
+      {
+        refuse("its header has '" + name + "' twice");
+      }
+    }
   }
   return fields;
 }
@@ -115,8 +151,7 @@ const std::string* findAny(const Fields& fields, const std::vector<const char*>&
 
 ImagePlace metaImage(const std::string& head)
 {
-  const Fields fields = fieldsOf(
-    head, 0, '=', [](std::string_view line) { return line.substr(0, 15) == "ElementDataFile"; });
+  const Fields fields = metaFields(head);
   const std::string* const dimensions = findAny(fields, {"NDims"});
   const std::string* const sizes = findAny(fields, {"DimSize"});
   if (!dimensions || !sizes || *dimensions != "3")
@@ -190,7 +225,7 @@ void addAxes(const Fields& fields, const std::vector<double>& sizes, ImagePlace&
     place.steps[axis] = step;
     place.dimensions[axis++] = sizeOf(size, "sizes");
   };
-  if (const auto* text = findAny(fields, {"space directions"}))
+  if (const auto* text = findAny(fields, {"spacedirections"}))
   {
     std::string_view rest = *text;
     for (const double size : sizes)
@@ -226,10 +261,7 @@ ImagePlace nrrdImage(const std::string& head)
   {
     refuse("it does not begin like NRRD");
   }
-  std::size_t start = 0;
-  takeLine(head, start);
-  const Fields fields =
-    fieldsOf(head, start, ':', [](std::string_view line) { return line.empty(); });
+  const Fields fields = nrrdFields(head);
   const std::string* const dimension = findAny(fields, {"dimension"});
   const std::string* const counts = findAny(fields, {"sizes"});
   if (!dimension || !counts)
@@ -248,7 +280,7 @@ ImagePlace nrrdImage(const std::string& head)
   {
     place.space = spaceOf(*name);
   }
-  if (const auto* text = findAny(fields, {"space origin"}))
+  if (const auto* text = findAny(fields, {"spaceorigin"}))
   {
     std::string_view rest = *text;
     place.origin = vectorOf(rest, "space origin").value_or(place.origin);
