@@ -122,6 +122,32 @@ TEST(ImageQueries, WithoutDirectionsAreStraight)
   }
 }
 
+TEST(ImageQueries, OfNrrdMayHaveEndsOfAxes)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1))), out = folder.path("out.vti");
+  const auto expectFirst = [&](const std::string& fields, const std::array<double, 3>& expected)
+  {
+    const std::string image = folder.write("a.nrrd",
+      "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 3 4 5\n" + fields + "\nencoding: raw\n\n");
+    const Outcome run = runProgram({"probe", in, image, "-o", out});
+    ASSERT_EQ(run.status, 0) << run;
+    vtkNew<vtkXMLImageDataReader> reader;
+    const double* const first = readImage(reader, out)->GetPoint(0);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_NEAR(first[axis], expected[axis], 1e-12) << fields;
+    }
+  };
+  // SimpleITK 2.5 says these.
+  const std::string spacings = "spacings: 1.1 1.3 1.7\n", mins = "axis mins: 3 -9 0\n";
+  expectFirst(spacings + mins + "kinds: domain domain domain", {3.55, -8.35, 0.85});
+  expectFirst(spacings + mins + "centerings: cell cell cell", {3.55, -8.35, 0.85});
+  expectFirst(spacings + mins + "centers: node cell ???", {3, -8.35, 0.85});
+  expectFirst(spacings + "Axis Mins: 3 -9 0\naxismaxs: 9 9 9", {3.55, -8.35, 0.85});
+  expectFirst(mins + "axis maxs: 6 3 15", {3.5, -7.5, 1.5});
+}
+
 TEST(ImageQueries, OfVtkKeepTheirArrays)
 {
   const TemporaryFolder folder;
@@ -213,7 +239,18 @@ TEST(ImageQueries, DamagedHeadersAreRefusedInOneLine)
   refuses("a.nrrd", with(nrrd, "(", "["), "no vectors");
   refuses("a.nrrd", with(nrrd, "(", "none ("), "no image of three dimensions");
   refuses("a.nrrd", with(nrrd, "dimension: 3", "dimension: 4"), "not 4");
-  refuses("a.nrrd", with(nrrd, "sizes", "size"), "no sizes");
+  refuses("a.nrrd", with(nrrd, "sizes: 7 8 9\n", ""), "no sizes");
+  refuses("a.nrrd", with(nrrd, "sizes", "size"), "has 'size', which is no field");
+  refuses("a.nrrd", with(nrrd, "space origin:", "space origin"), "which is no field");
+  refuses("a.nrrd", with(nrrd, "kinds", "axis mins: 1 2 3\nkinds"), "'axis mins'");
+  const std::string straight = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 7 8 9\n\n";
+  refuses("a.nrrd", with(straight, "\n\n", "\naxis mins: 1 2 3\n\n"), "no 'spacings'");
+  refuses("a.nrrd", with(straight, "\n\n", "\naxis maxs: 1 2 3\n\n"), "number in 'axis mins'");
+  refuses("a.nrrd", with(straight, "\n\n", "\nspacings: 1 1 1\naxis mins: 1 nan 3\n\n"),
+    "number in 'axis mins'");
+  refuses("a.nrrd", with(nrrd, "kinds", "spacings: 1 1 1\nkinds"), "'spacings'");
+  refuses("a.nrrd", with(straight, "\n\n", "\nspacings: 1 2\n\n"), "2 numbers in 'spacings'");
+  refuses("a.nrrd", with(straight, "\n\n", "\ncenters: cell x cell\n\n"), "'x' in 'centers'");
   refuses("a.nrrd", with(nrrd, "kinds", "Sizes: 7 8 9\nkinds"), "has 'Sizes' twice");
   refuses("a.nrrd", nrrd.substr(0, nrrd.find("kinds")), "no end");
   refuses("a.nii", nifti.substr(0, 347), "does not begin like NIfTI");

@@ -49,6 +49,16 @@ double numberOf(std::string_view word, const std::string& key)
   return value;
 }
 
+/// Throws HeaderFault for a field that has another number of numbers than `wanted`.
+void checkCount(std::size_t found, const std::string& key, std::size_t wanted)
+{
+  if (found != wanted)
+  {
+    refuse("its header has " + std::to_string(found) + " numbers in '" + key + "', not " +
+           std::to_string(wanted));
+  }
+}
+
 /// Reads the `count` numbers of a field.
 std::vector<double> numbersOf(std::string_view text, const std::string& key, std::size_t count)
 {
@@ -57,11 +67,7 @@ std::vector<double> numbersOf(std::string_view text, const std::string& key, std
   {
     numbers.push_back(numberOf(word, key));
   }
-  if (numbers.size() != count)
-  {
-    refuse("its header has " + std::to_string(numbers.size()) + " numbers in '" + key + "', not " +
-           std::to_string(count));
-  }
+  checkCount(numbers.size(), key, count);
   return numbers;
 }
 
@@ -113,6 +119,34 @@ std::string nrrdName(std::string_view name)
   return plain;
 }
 
+/// The fields that the format has, by nrrdName(). The ones in the second row say where voxels are.
+constexpr std::string_view nrrdNames[] = {"content", "number", "type", "blocksize", "thicknesses",
+  "labels", "units", "min", "max", "oldmin", "oldmax", "endian", "encoding", "lineskip", "byteskip",
+  "sampleunits", "datafile", "spaceunits", "measurementframe", //
+  "dimension", "sizes", "spacings", "axismins", "axismaxs", "centers", "centerings", "kinds",
+  "space", "spacedimension", "spacedirections", "spaceorigin"};
+
+/// Adds the field in a line. A line that is none is refused, as Teem does, for it may be a place
+/// with a typing error.
+void addNrrdField(std::string_view line, Fields& fields)
+{
+  const std::size_t at = std::min(line.find(':'), line.size());
+  if (line.front() == '#' || line.substr(at, 2) == ":=")
+  {
+    return; // a comment, or the key of a user
+  }
+  const std::string name(trimmed(line.substr(0, at))), plain = nrrdName(name);
+  if (at == line.size() ||
+      std::find(std::begin(nrrdNames), std::end(nrrdNames), plain) == std::end(nrrdNames))
+  {
+    refuse("its header has '" + name.substr(0, 30) + "', which is no field of the format");
+  }
+  if (!fields.emplace(plain, trimmed(line.substr(at + 1))).second)
+  {
+    refuse("its header has '" + name + "' twice");
+  }
+}
+
 /// Reads the fields of a NRRD by nrrdName(), up to an empty line.
 Fields nrrdFields(const std::string& head)
 {
@@ -122,16 +156,7 @@ Fields nrrdFields(const std::string& head)
   for (std::string_view line = takeHeaderLine(head, start); !line.empty();
        line = takeHeaderLine(head, start))
   {
-    const std::size_t at = line.find(':');
-    // The key of a user has := behind it.
-    if (line.front() != '#' && at != std::string_view::npos && line.substr(at, 2) != ":=")
-    {
-      const std::string name(trimmed(line.substr(0, at)));
-      if (!fields.emplace(nrrdName(name), trimmed(line.substr(at + 1))).second)
-      {
-        refuse("its header has '" + name + "' twice");
-      }
-    }
+    addNrrdField(line, fields);
   }
   return fields;
 }
@@ -212,46 +237,134 @@ std::optional<std::array<double, 3>> vectorOf(std::string_view& text, const std:
   return std::array<double, 3>{numbers[0], numbers[1], numbers[2]};
 }
 
-/// Reads the steps of axes of space and their sizes. Other axes, of channels or times, have none.
-void addAxes(const Fields& fields, const std::vector<double>& sizes, ImagePlace& place)
+/// Reads a number for each of `axes` axes; nothing where there is NaN or no field.
+std::vector<std::optional<double>> numbersOfAxes(
+  const Fields& fields, const std::string& key, std::size_t axes)
 {
-  std::size_t axis = 0;
-  const auto add = [&](const std::array<double, 3>& step, double size)
+  std::vector<std::optional<double>> numbers;
+  const std::string* const text = findAny(fields, {nrrdName(key).c_str()});
+  std::string_view rest = text ? std::string_view(*text) : std::string_view();
+  for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest))
   {
-    if (axis == 3)
-    {
-      refuse("it is no image of three dimensions");
-    }
-    place.steps[axis] = step;
-    place.dimensions[axis++] = sizeOf(size, "sizes");
-  };
-  if (const auto* text = findAny(fields, {"spacedirections"}))
-  {
-    std::string_view rest = *text;
-    for (const double size : sizes)
-    {
-      if (const auto step = vectorOf(rest, "space directions"))
-      {
-        add(*step, size);
-      }
-    }
+    const bool isKnown = inSmallLetters(word) != "nan";
+    numbers.push_back(isKnown ? std::optional(numberOf(word, key)) : std::nullopt);
   }
-  else
+  checkCount(numbers.size(), key, text ? axes : 0);
+  numbers.resize(axes);
+  return numbers;
+}
+
+/// Reads for each of `axes` axes whether its ends are samples. They are the ends of cells
+/// otherwise, half a step farther out, and where nothing is said, as in ITK.
+std::vector<bool> endsAreSamples(const Fields& fields, std::size_t axes)
+{
+  std::vector<bool> areSamples;
+  const std::string* const text = findAny(fields, {"centers", "centerings"});
+  std::string_view rest = text ? std::string_view(*text) : std::string_view();
+  for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest))
   {
-    const auto* spacings = findAny(fields, {"spacings"});
-    std::string_view rest = spacings ? std::string_view(*spacings) : std::string_view();
-    for (const double size : sizes)
+    const std::string center = inSmallLetters(word);
+    if (center != "node" && center != "cell" && center != "???" && center != "none")
     {
-      const std::string_view word = takeWord(rest);
-      const bool isKnown = !word.empty() && inSmallLetters(word) != "nan";
-      std::array<double, 3> step = {};
-      step[std::min<std::size_t>(axis, 2)] = isKnown ? numberOf(word, "spacings") : 1;
-      add(step, size);
+      refuse("its header has '" + std::string(word.substr(0, 20)) + "' in 'centers'");
     }
+    areSamples.push_back(center == "node");
   }
-  if (axis != 3)
+  checkCount(areSamples.size(), "centers", text ? axes : 0);
+  areSamples.resize(axes);
+  return areSamples;
+}
+
+/// Adds an axis of space with its number of voxels.
+void addAxis(const std::array<double, 3>& step, double size, std::size_t& axis, ImagePlace& place)
+{
+  if (axis == 3)
   {
     refuse("it is no image of three dimensions");
+  }
+  place.steps[axis] = step;
+  place.dimensions[axis++] = sizeOf(size, "sizes");
+}
+
+/// The numbers that say where axes lie without directions, for each of all axes.
+struct Ends
+{
+  std::vector<std::optional<double>> spacings, mins, maxs;
+  std::vector<bool> areSamples;
+};
+
+/// Reads the directions of the axes of space. Others, of channels or times, have none. Returns the
+/// number of axes.
+std::size_t addDirections(
+  const std::string& text, const std::vector<double>& sizes, const Ends& ends, ImagePlace& place)
+{
+  std::size_t axis = 0;
+  std::string_view rest = text;
+  for (std::size_t n = 0; n < sizes.size(); ++n)
+  {
+    if (const auto step = vectorOf(rest, "space directions"))
+    {
+      if (ends.spacings[n] || ends.mins[n] || ends.maxs[n])
+      {
+        refuse("its header has 'space directions' and 'spacings', 'axis mins' or 'axis maxs'");
+      }
+      addAxis(*step, sizes[n], axis, place);
+    }
+  }
+  return axis;
+}
+
+/// Lays axes without directions along the ones of space, as ITK does: steps are 1 where there are
+/// no spacings, whatever the ends of the axes say. Returns the number of axes.
+std::size_t addStraightAxes(const std::vector<double>& sizes, const Ends& ends, ImagePlace& place)
+{
+  std::size_t axis = 0;
+  const bool haveMins = std::any_of(ends.mins.begin(), ends.mins.end(),
+    [](const std::optional<double>& min) { return min.has_value(); });
+  for (std::size_t n = 0; n < sizes.size(); ++n)
+  {
+    const auto& spacing = ends.spacings[n];
+    const auto& min = ends.mins[n];
+    const auto& max = ends.maxs[n];
+    std::array<double, 3> step = {};
+    step[std::min<std::size_t>(axis, 2)] = spacing.value_or(1);
+    addAxis(step, sizes[n], axis, place);
+    if (min ? !spacing && !max : haveMins || max)
+    {
+      refuse(min ? "its header has 'axis mins' and no 'spacings'"
+                 : "its header has an axis without a number in 'axis mins'");
+    }
+    if (min)
+    {
+      const double width = spacing ? *spacing : (*max - *min) / sizes[n];
+      place.origin[axis - 1] = *min + (ends.areSamples[n] ? 0 : width / 2);
+    }
+  }
+  return axis;
+}
+
+/// Reads the axes of space, and where they begin.
+void addAxes(const Fields& fields, const std::vector<double>& sizes, ImagePlace& place)
+{
+  const Ends ends = {numbersOfAxes(fields, "spacings", sizes.size()),
+    numbersOfAxes(fields, "axis mins", sizes.size()),
+    numbersOfAxes(fields, "axis maxs", sizes.size()), endsAreSamples(fields, sizes.size())};
+  const std::string* const directions = findAny(fields, {"spacedirections"});
+  const std::string* const origin = findAny(fields, {"spaceorigin"});
+  const std::size_t axes = directions ? addDirections(*directions, sizes, ends, place)
+                                      : addStraightAxes(sizes, ends, place);
+  if (axes != 3)
+  {
+    refuse("it is no image of three dimensions");
+  }
+  if (origin)
+  {
+    if (findAny(fields, {"axismins"}))
+    {
+      refuse("its header has 'space origin' and 'axis mins'");
+    }
+    std::string_view rest = *origin;
+    place.origin = vectorOf(rest, "space origin").value_or(place.origin);
   }
 }
 
@@ -279,11 +392,6 @@ ImagePlace nrrdImage(const std::string& head)
   if (const auto* name = findAny(fields, {"space"}))
   {
     place.space = spaceOf(*name);
-  }
-  if (const auto* text = findAny(fields, {"spaceorigin"}))
-  {
-    std::string_view rest = *text;
-    place.origin = vectorOf(rest, "space origin").value_or(place.origin);
   }
   return place;
 }
