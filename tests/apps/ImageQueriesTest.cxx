@@ -75,6 +75,8 @@ TEST(ImageQueries, LieWhereMedicalHeadersSay)
   expectPlace("head.MHA", asMetaImage());
   expectPlace("head.nrrd", asNrrd("left-posterior-superior"));
   expectPlace("head.nrrd", asNrrd("RAS"));
+  expectPlace("head.nrrd", asNrrd("left posterior superior"));
+  expectPlace("head.nrrd", asNrrd("3D-Left-Handed"));
   expectPlace("head.nrrd", asNrrd("", "3 7 8 9", "none "));
   // Single precision.
   expectPlace("head.nii", asNifti(NiftiKind::sform), 1e-6);
@@ -243,6 +245,8 @@ TEST(ImageQueries, DamagedHeadersAreRefusedInOneLine)
   refuses("a.nrrd", with(nrrd, "sizes", "size"), "has 'size', which is no field");
   refuses("a.nrrd", with(nrrd, "space origin:", "space origin"), "which is no field");
   refuses("a.nrrd", with(nrrd, "kinds", "axis mins: 1 2 3\nkinds"), "'axis mins'");
+  refuses("a.nrrd", asNrrd("right-anterior-inferior"), "space 'right-anterior-inferior'");
+  refuses("a.nrrd", asNrrd("left"), "space 'left'");
   const std::string straight = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 7 8 9\n\n";
   refuses("a.nrrd", with(straight, "\n\n", "\naxis mins: 1 2 3\n\n"), "no 'spacings'");
   refuses("a.nrrd", with(straight, "\n\n", "\naxis maxs: 1 2 3\n\n"), "number in 'axis mins'");

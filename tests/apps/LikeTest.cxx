@@ -159,6 +159,30 @@ TEST(Like, HeadersOfItsOwnOutputsComeBack)
   EXPECT_EQ(contentsOf(first), contentsOf(second));
 }
 
+TEST(Like, SpacesWithoutAPatientCountAsLps)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1)));
+  const auto masksLike = [&](const std::string& space)
+  {
+    const std::string like = folder.write("head.nrrd", asNrrd(space));
+    std::string masks;
+    for (const std::string suffix : {".nii", ".mha", ".nrrd"})
+    {
+      const std::string mask = folder.path("mask" + suffix);
+      EXPECT_EQ(runProgram({"voxels", in, "-o", mask, "--like", like, "--overwrite"}).status, 0);
+      masks += contentsOf(mask);
+    }
+    return masks;
+  };
+  const std::string expected = masksLike("left-posterior-superior");
+  for (const std::string space : {"", "scanner-xyz", "3D-right-handed", "3D-left-handed"})
+  {
+    EXPECT_EQ(masksLike(space), expected) << space;
+  }
+  EXPECT_NE(masksLike("right-anterior-superior"), expected);
+}
+
 TEST(Like, PiecesAndSurfacesLieOnIt)
 {
   const TemporaryFolder folder;

@@ -28,6 +28,16 @@ const Space* find(ImageSpace space)
   return found == std::end(spaces) ? nullptr : found;
 }
 
+/// Returns a name in small letters, without the signs between its words.
+std::string plainName(const std::string& name)
+{
+  std::string plain = inSmallLetters(name);
+  plain.erase(
+    std::remove_if(plain.begin(), plain.end(), [](char c) { return c == '-' || c == ' '; }),
+    plain.end());
+  return plain;
+}
+
 } // namespace
 
 std::string nameOf(ImageSpace space)
@@ -36,17 +46,25 @@ std::string nameOf(ImageSpace space)
   return found ? found->name : "";
 }
 
-ImageSpace spaceOf(const std::string& name)
+std::optional<ImageSpace> spaceOf(const std::string& name)
 {
-  const std::string small = inSmallLetters(name);
+  const std::string small = plainName(name);
   for (const Space& space : spaces)
   {
-    if (small == space.name || small == space.letters)
+    const std::string plain = plainName(space.name), letters = space.letters;
+    if (small == plain || small == plain + "time" || small == letters || small == letters + "t")
     {
       return space.space;
     }
   }
-  return ImageSpace::unnamed;
+  for (const std::string plain : {"scannerxyz", "3drighthanded", "3dlefthanded"})
+  {
+    if (small == plain || small == plain + "time")
+    {
+      return ImageSpace::lps;
+    }
+  }
+  return {};
 }
 
 std::array<double, 3> signsBetween(ImageSpace from, ImageSpace to)

@@ -4,13 +4,14 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <optional>
 #include <string>
 
 /// The ways in which medical files lay axes into a patient: to the left or right, to the back
 /// (posterior) or front (anterior), and to the head (superior).
 enum class ImageSpace
 {
-  unnamed, ///< of files that do not say
+  unnamed, ///< of .vti files, which do not say
   lps,     ///< left, posterior, superior: DICOM, ITK
   ras,     ///< right, anterior, superior: NIfTI
   las      ///< left, anterior, superior
@@ -19,8 +20,10 @@ enum class ImageSpace
 /// The name of a space as .nrrd files have it: "left-posterior-superior", say.
 std::string nameOf(ImageSpace space);
 
-/// The space of that name, or of the name's first letters; unnamed if there is none.
-ImageSpace spaceOf(const std::string& name);
+/// Returns the space of a name in a .nrrd file, or of the name's first letters, with or without
+/// time as a fourth axis; nothing for names that the format does not have. Its spaces without a
+/// patient, scanner-xyz for one, count as LPS, as in ITK.
+std::optional<ImageSpace> spaceOf(const std::string& name);
 
 /// Returns for each axis of space whether it looks the same way in two spaces: 1, or −1 if it
 /// looks the other way. An unnamed space is any other.

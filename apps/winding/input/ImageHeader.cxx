@@ -389,9 +389,16 @@ ImagePlace nrrdImage(const std::string& head)
   }
   ImagePlace place;
   addAxes(fields, numbersOf(*counts, "sizes", static_cast<std::size_t>(axes)), place);
+  place.space = ImageSpace::lps; // as in ITK where none is named
   if (const auto* name = findAny(fields, {"space"}))
   {
-    place.space = spaceOf(*name);
+    const std::optional<ImageSpace> space = spaceOf(*name);
+    if (!space)
+    {
+      refuse(
+        "its header has a space '" + name->substr(0, 40) + "', which the format does not have");
+    }
+    place.space = *space;
   }
   return place;
 }

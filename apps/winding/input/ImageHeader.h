@@ -8,8 +8,8 @@
  * Reads where the voxels of a medical image lie, .mha .nrrd .nii .nii.gz, from its header; the
  * voxels themselves are neither read nor looked for. Voxel centres are the points of the result,
  * which has no arrays. Coordinates stay as they are in the file: its space is RAS in NIfTI, LPS in
- * .mha, and named by .nrrd. Of NIfTI's two transforms the sform counts, if there is one, and
- * the qform otherwise. Axes need not be at right angles.
+ * .mha, and named by .nrrd, or else LPS. Of NIfTI's two transforms the sform counts, if there is
+ * one, and the qform otherwise. Axes need not be at right angles.
  *
  * Throws Failure for files that cannot be opened, and in one line for headers that place no image
  * of three dimensions.
