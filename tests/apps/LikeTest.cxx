@@ -258,8 +258,35 @@ TEST(Like, WhatMakesNoSenseIsRefused)
   askew.replace(askew.find(key), key.size(), key + "1 0.1 0 0 1 0 0 0 1\nx = ");
   refuses(
     {"field", in, "-o", vti, "--like", folder.write("askew.mha", askew)}, 2, "not at right angles");
-  refuses({"voxels", in, "-o", folder.path("out.nii"), "--dims", "40000", "1", "1", "--quiet"}, 2,
-    "cannot hold 40000 voxels along an axis");
+}
+
+TEST(Like, WhatNiftiCannotHoldIsSaidBeforeAnythingIsComputed)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1))), nii = folder.path("out.nii");
+  // These voxels would take 400 TB.
+  const Outcome large =
+    runProgram({"voxels", in, "-o", nii, "--dims", "40000", "10000", "1000000", "--quiet"});
+  EXPECT_EQ(large.status, 2);
+  EXPECT_TRUE(large.saysInOneLine({nii, "cannot hold 1000000 voxels along an axis"})) << large;
+  const auto likeAt = [&](const std::string& first, const std::string& output)
+  {
+    const std::string head = asMetaImage(), key = "Offset = ";
+    const std::size_t at = head.find(key) + key.size();
+    const std::string like =
+      folder.write("like.mha", head.substr(0, at) + first + head.substr(head.find('\n', at)));
+    return runProgram({"voxels", in, "-o", folder.path(output), "--like", like, "--overwrite"});
+  };
+  // Rounding moves by 0.3 %, 1.8 % and 100 % of a step of 0.25.
+  const std::string words = "single precision, which moves voxels by up to";
+  EXPECT_EQ(likeAt("10000.2 10000.2 0", "out.nii").err.find(words), std::string::npos);
+  const Outcome far = likeAt("100000.2 100000.2 0", "out.nii.gz");
+  EXPECT_EQ(far.status, 0);
+  EXPECT_NE(far.err.find("out.nii.gz: its places are in " + words), std::string::npos) << far;
+  const Outcome farther = likeAt("431257.3 5411768.3 302", "out.nii");
+  EXPECT_EQ(farther.status, 2);
+  EXPECT_TRUE(farther.saysInOneLine({"out.nii", words, ".nrrd"})) << farther;
+  EXPECT_EQ(likeAt("431257.3 5411768.3 302", "out.nrrd").status, 0);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "commands/FilterSettings.h"
 #include "files/Formats.h"
 #include "options/Options.h"
+#include "output/ImageFile.h"
 #include "program/Interrupt.h"
 #include "program/Messages.h"
 #include "program/ParallelRun.h"
@@ -13,6 +14,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
+#include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkWindingNumberImageAlgorithm.h"
@@ -49,6 +51,7 @@ FieldRun::FieldRun(
       this->check();
     });
   warnOfIdleOptions(options, filter_, messages);
+  parallel::agreeOnFirst([this] { this->checkOutput(); });
 }
 
 FieldRun::~FieldRun()
@@ -117,6 +120,18 @@ void FieldRun::checkPiecesKeepDirections() const
     throw Failure(EXIT_REFUSED, options_.output,
       "would lose the directions of " + options_.like +
         ", for VTK reads none from .pvti; give it the suffix .vti");
+  }
+}
+
+/// Throws Failure, before anything is computed, where the output cannot hold the grid.
+void FieldRun::checkOutput() const
+{
+  if (isMedical(suffixOf(options_.output)))
+  {
+    const vtkNew<vtkImageData> image;
+    image->SetExtent(this->wholeExtent().data());
+    image->CopyInformationFromPipeline(filter_.GetOutputInformation(0));
+    checkMedicalImage({image.Get(), like_.space}, options_.output, messages_);
   }
 }
 

@@ -66,6 +66,7 @@ private:
   void warnOfPieces(std::size_t most) const;
   SlabExtent wholeExtent() const;
   void checkPiecesKeepDirections() const;
+  void checkOutput() const;
 
   vtkWindingNumberGridAlgorithm& filter_;
   const Options& options_;

@@ -5,8 +5,10 @@
 #include "output/OutputFile.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"
+#include "program/Messages.h"
 
 #include "vtkDataArray.h"
+#include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 #include "vtk_zlib.h"
@@ -258,45 +260,90 @@ void put(std::string& header, std::size_t at, double number)
   put(header, at, static_cast<float>(number));
 }
 
-/// Puts the directions into a header of NIfTI-1 as a quaternion (a, b, c, d), without a, by the
-/// largest of its four numbers. A third axis that is mirrored has a sign of its own.
-void putQuaternion(std::string& header, const Place& place)
+/// Directions at right angles as NIfTI keeps them: a quaternion (a, b, c, d), and a sign for a
+/// third axis that is mirrored.
+struct Turn
 {
-  double m[3][3];
-  std::memcpy(m, place.directions, sizeof m);
-  const double volume = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-                        m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-                        m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-  for (auto& row : m)
+  double quaternion[4], handed;
+};
+
+/// Returns the turn that is nearest to directions.
+Turn nearestTurn(const Place& place)
+{
+  Turn turn;
+  double columns[3][3];
+  std::memcpy(columns, place.directions, sizeof columns);
+  turn.handed = vtkMath::Determinant3x3(columns) < 0 ? -1 : 1;
+  for (auto& row : columns)
   {
-    row[2] *= volume < 0 ? -1 : 1;
+    row[2] *= turn.handed;
   }
-  // Four times the products of each number with all of them.
-  const double products[4][4] = {
-    {1 + m[0][0] + m[1][1] + m[2][2], m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]},
-    {m[2][1] - m[1][2], 1 + m[0][0] - m[1][1] - m[2][2], m[1][0] + m[0][1], m[0][2] + m[2][0]},
-    {m[0][2] - m[2][0], m[1][0] + m[0][1], 1 - m[0][0] + m[1][1] - m[2][2], m[2][1] + m[1][2]},
-    {m[1][0] - m[0][1], m[0][2] + m[2][0], m[2][1] + m[1][2], 1 - m[0][0] - m[1][1] + m[2][2]}};
-  int largest = 0;
-  for (int n = 1; n < 4; ++n)
+  vtkMath::Matrix3x3ToQuaternion(columns, turn.quaternion);
+  for (double& number : turn.quaternion)
   {
-    largest = products[n][n] > products[largest][largest] ? n : largest;
+    number = number + 0.0; // and no −0
   }
-  const double* const row = products[largest];
-  const double length =
-    std::sqrt(row[0] * row[0] + row[1] * row[1] + row[2] * row[2] + row[3] * row[3]);
-  const double sign = row[0] < 0 ? -1 : 1; // of a, which is not negative there
+  return turn;
+}
+
+/// Puts a turn into a header of NIfTI-1: three of its numbers, as the first is not negative.
+void putTurn(std::string& header, const Turn& turn)
+{
+  const double sign = turn.quaternion[0] < 0 ? -1 : 1;
   for (std::size_t n = 0; n < 3; ++n)
   {
-    put(header, 256 + 4 * n, sign * row[n + 1] / length);
+    put(header, 256 + 4 * n, sign * turn.quaternion[n + 1] + 0.0);
   }
-  put(header, 76, volume < 0 ? -1.0 : 1.0);
+  put(header, 76, turn.handed);
+}
+
+/// Returns how far single precision moves a voxel at most, as a share of the shortest step, where
+/// the steps have these directions instead of the own ones.
+double largestMove(const Place& place, const double directions[3][3])
+{
+  double largest = 0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double move[3];
+    for (int row = 0; row < 3; ++row)
+    {
+      move[row] = static_cast<float>(place.origin[row]) - place.origin[row];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const int steps = (corner >> axis & 1) * (place.dimensions[axis] - 1);
+        const double spacing = place.spacing[axis];
+        move[row] += steps * (static_cast<float>(directions[row][axis] * spacing) -
+                               place.directions[row][axis] * spacing);
+      }
+    }
+    largest = std::max(largest, std::hypot(move[0], move[1], move[2]));
+  }
+  return largest / *std::min_element(place.spacing, place.spacing + 3);
+}
+
+/// Throws Failure for more voxels along an axis than NIfTI-1 counts.
+void checkDimensions(const int dimensions[3], const std::string& fileName)
+{
+  const int most = *std::max_element(dimensions, dimensions + 3);
+  if (most > std::numeric_limits<std::int16_t>::max())
+  {
+    throw Failure(EXIT_REFUSED, fileName,
+      "cannot hold " + std::to_string(most) + " voxels along an axis; give it the suffix .nrrd");
+  }
+}
+
+/// Returns a number with three decimals at most.
+std::string rounded(double number)
+{
+  constexpr double most = 1e3;
+  return exact(std::round(number * most) / most);
 }
 
 /// The header of NIfTI-1, with both of its transforms.
 std::string niftiHeader(const PlacedImage& placed, vtkDataArray* values, const OutputFile& file)
 {
   const Place place = placeIn(ImageSpace::ras, placed);
+  checkDimensions(place.dimensions, file.name());
   constexpr std::size_t size = 352; // without extensions
   std::string header(size, '\0');
   put(header, 0, std::int32_t(348));
@@ -305,11 +352,6 @@ std::string niftiHeader(const PlacedImage& placed, vtkDataArray* values, const O
   for (std::size_t axis = 0; axis < 7; ++axis)
   {
     const int count = axis < 3 ? place.dimensions[axis] : 1;
-    if (count > std::numeric_limits<std::int16_t>::max())
-    {
-      throw Failure(EXIT_REFUSED, file.name(),
-        "cannot hold " + std::to_string(count) + " voxels along an axis; give it the suffix .nrrd");
-    }
     put(header, 42 + 2 * axis, static_cast<std::int16_t>(count));
     put(header, 80 + 4 * axis, axis < 3 ? place.spacing[axis] : 1.0);
   }
@@ -320,7 +362,7 @@ std::string niftiHeader(const PlacedImage& placed, vtkDataArray* values, const O
   constexpr std::int16_t scanner = 1;
   put(header, 252, scanner);
   put(header, 254, scanner);
-  putQuaternion(header, place);
+  putTurn(header, nearestTurn(place));
   for (std::size_t row = 0; row < 3; ++row)
   {
     put(header, 268 + 4 * row, place.origin[row]);
@@ -336,6 +378,44 @@ std::string niftiHeader(const PlacedImage& placed, vtkDataArray* values, const O
 }
 
 } // namespace
+
+void checkMedicalImage(const PlacedImage& placed, const std::string& fileName, Messages& messages)
+{
+  const std::string suffix = suffixOf(fileName);
+  if (suffix != ".nii" && suffix != ".nii.gz")
+  {
+    return;
+  }
+  const Place place = placeIn(ImageSpace::ras, placed);
+  checkDimensions(place.dimensions, fileName);
+  constexpr double acceptable = 0.01, acceptableTurn = 0.1, fatal = 0.5;
+  const double move = largestMove(place, place.directions);
+  const std::string words = "its places are in single precision, which moves voxels by up to " +
+                            rounded(move) + " of their side; give it the suffix .nrrd";
+  if (!(move < fatal))
+  {
+    throw Failure(EXIT_REFUSED, fileName, words);
+  }
+  if (move > acceptable)
+  {
+    messages.warn(fileName + ": " + words);
+    return;
+  }
+  const Turn turn = nearestTurn(place);
+  double directions[3][3];
+  vtkMath::QuaternionToMatrix3x3(turn.quaternion, directions);
+  for (auto& row : directions)
+  {
+    row[2] *= turn.handed;
+  }
+  if (const double turned = largestMove(place, directions); turned > acceptableTurn)
+  {
+    messages.warn(fileName +
+                  ": the axes of the image are not quite at right angles, and programs " +
+                  "that read the qform see voxels up to " + rounded(turned) +
+                  " of their side away; give it the suffix .nrrd");
+  }
+}
 
 void writeMedicalImage(const PlacedImage& placed, OutputFile& file)
 {

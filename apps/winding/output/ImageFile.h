@@ -2,6 +2,8 @@
 
 #include "files/ImageSpace.h"
 
+#include <string>
+
 class Messages;
 class OutputFile;
 
@@ -13,9 +15,15 @@ class OutputFile;
  * Coordinates are in `placed.space`, and go into the format's own space: LPS in .mha, RAS in NIfTI.
  * So voxels stay where they are in the patient. A .nrrd names the space. Where the space is
  * unnamed, coordinates go out as they are, and count as LPS in .mha and .nrrd, and as RAS in NIfTI.
- * NIfTI keeps them in single precision.
+ * NIfTI keeps them in single precision (checkMedicalImage()).
  *
  * Leaves commit() to the caller. Throws Failure when the file cannot be written whole, when the
  * program is interrupted, and for images that a format cannot hold.
  */
 void writeMedicalImage(const PlacedImage& placed, OutputFile& file);
+
+/// Checks whether a medical image of that name can hold the place of an image, before there are
+/// values. Throws Failure where NIfTI cannot count the voxels, and where its single precision moves
+/// voxels by half of their side or more. Warns where they move by more than 1 %, and where its
+/// qform, which has right angles, moves them by more than 10 %.
+void checkMedicalImage(const PlacedImage& placed, const std::string& fileName, Messages& messages);
