@@ -183,6 +183,38 @@ TEST(Like, SpacesWithoutAPatientCountAsLps)
   EXPECT_NE(masksLike("right-anterior-superior"), expected);
 }
 
+TEST(Like, NiftiKeepsTheUnitOfLengths)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1)));
+  constexpr std::size_t units = 123; // the place in the header
+  const auto maskLike =
+    [&](const std::string& name, const std::string& head, const std::string& suffix)
+  {
+    const std::string mask = folder.path("mask" + suffix);
+    const Outcome run = runProgram(
+      {"voxels", in, "-o", mask, "--like", folder.write(name, head), "--overwrite", "--quiet"});
+    EXPECT_EQ(run.status, 0) << run;
+    return contentsOf(mask);
+  };
+  for (const int unit : {0, 1, 2, 3})
+  {
+    std::string head = asNifti(NiftiKind::sform), wide = asNifti(NiftiKind::wide);
+    head[units] = static_cast<char>(unit | 8); // and seconds
+    wide[500] = static_cast<char>(unit | 8);
+    EXPECT_EQ(maskLike("head.nii", head, ".nii")[units], unit);
+    EXPECT_EQ(maskLike("wide.nii", wide, ".nii")[units], unit);
+    const double expected[] = {0.25, 250, 0.25, 0.00025};
+    const std::string mha = maskLike("wide.nii", wide, ".mha"), key = "ElementSpacing = ";
+    EXPECT_NEAR(std::stod(mha.substr(mha.find(key) + key.size())) / expected[unit], 1, 1e-12);
+  }
+  EXPECT_EQ(maskLike("head.mha", asMetaImage(), ".nii")[units], 2);
+  EXPECT_EQ(maskLike("head.nrrd", asNrrd("RAS"), ".nii")[units], 2);
+  const std::string plain = folder.path("plain.nii");
+  ASSERT_EQ(runProgram({"voxels", in, "-o", plain, "--resolution", "5", "--quiet"}).status, 0);
+  EXPECT_EQ(contentsOf(plain)[units], 0) << "a surface has no unit";
+}
+
 TEST(Like, PiecesAndSurfacesLieOnIt)
 {
   const TemporaryFolder folder;

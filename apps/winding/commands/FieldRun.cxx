@@ -131,7 +131,7 @@ void FieldRun::checkOutput() const
     const vtkNew<vtkImageData> image;
     image->SetExtent(this->wholeExtent().data());
     image->CopyInformationFromPipeline(filter_.GetOutputInformation(0));
-    checkMedicalImage({image.Get(), like_.space}, options_.output, messages_);
+    checkMedicalImage({image.Get(), like_.space, like_.unit}, options_.output, messages_);
   }
 }
 

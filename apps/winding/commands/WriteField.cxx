@@ -103,7 +103,7 @@ void writeResult(FieldRun& run, vtkImageData* image, OutputFile* file)
                                   : isMask                    ? "Inside"
                                                               : options.array;
         image->GetPointData()->SetActiveScalars(array.c_str());
-        writeMedicalImage({image, run.like().space}, *file);
+        writeMedicalImage({image, run.like().space, run.like().unit}, *file);
       }
       else
       {

@@ -75,6 +75,11 @@ std::array<double, 3> signsBetween(ImageSpace from, ImageSpace to)
                 : std::array<double, 3>{1, 1, 1};
 }
 
+double inMillimetres(LengthUnit unit)
+{
+  return unit == LengthUnit::metre ? 1e3 : unit == LengthUnit::micrometre ? 1e-3 : 1;
+}
+
 bool isMedical(const std::string& suffix)
 {
   return suffix == ".mha" || suffix == ".nrrd" || suffix == ".nii" || suffix == ".nii.gz";

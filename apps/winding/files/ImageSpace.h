@@ -29,11 +29,24 @@ std::optional<ImageSpace> spaceOf(const std::string& name);
 /// looks the other way. An unnamed space is any other.
 std::array<double, 3> signsBetween(ImageSpace from, ImageSpace to);
 
+/// The unit of coordinates, by its number in NIfTI.
+enum class LengthUnit
+{
+  unknown = 0,
+  metre = 1,
+  millimetre = 2,
+  micrometre = 3
+};
+
+/// Returns a length of 1 in millimetres; 1 for an unknown unit.
+double inMillimetres(LengthUnit unit);
+
 /// The place of an image: extent, origin, spacing and directions, in the coordinates of its file.
 struct PlacedImage
 {
   vtkSmartPointer<vtkImageData> image;
   ImageSpace space = ImageSpace::unnamed;
+  LengthUnit unit = LengthUnit::unknown;
 };
 
 /// Whether a suffix is a medical image's: .mha .nrrd .nii .nii.gz.

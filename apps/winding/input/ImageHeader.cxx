@@ -185,6 +185,7 @@ ImagePlace metaImage(const std::string& head)
   }
   ImagePlace place;
   place.space = ImageSpace::lps;
+  place.unit = LengthUnit::millimetre; // as in ITK
   const std::vector<double> counts = numbersOf(*sizes, "DimSize", 3);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -390,6 +391,7 @@ ImagePlace nrrdImage(const std::string& head)
   ImagePlace place;
   addAxes(fields, numbersOf(*counts, "sizes", static_cast<std::size_t>(axes)), place);
   place.space = ImageSpace::lps; // as in ITK where none is named
+  place.unit = LengthUnit::millimetre;
   if (const auto* name = findAny(fields, {"space"}))
   {
     const std::optional<ImageSpace> space = spaceOf(*name);
@@ -471,7 +473,7 @@ PlacedImage placedImage(
     const ImagePlace place = suffix == ".mha"    ? metaImage(head)
                              : suffix == ".nrrd" ? nrrdImage(head)
                                                  : niftiImage(head);
-    return {imageAt(place), place.space};
+    return {imageAt(place), place.space, place.unit};
   }
   catch (const HeaderFault& fault)
   {

@@ -9,7 +9,8 @@
  * voxels themselves are neither read nor looked for. Voxel centres are the points of the result,
  * which has no arrays. Coordinates stay as they are in the file: its space is RAS in NIfTI, LPS in
  * .mha, and named by .nrrd, or else LPS. Of NIfTI's two transforms the sform counts, if there is
- * one, and the qform otherwise. Axes need not be at right angles.
+ * one, and the qform otherwise. Axes need not be at right angles. Lengths are mm in .mha and
+ * .nrrd, as in ITK.
  *
  * Throws Failure for files that cannot be opened, and in one line for headers that place no image
  * of three dimensions.

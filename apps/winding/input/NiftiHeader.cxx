@@ -12,12 +12,12 @@ namespace
 /// Where the fields of the header stand. Each kind of NIfTI has its own numbers.
 struct Layout
 {
-  std::size_t size, magic, dimensions, steps, qform, sform, quaternion, offset, rows;
+  std::size_t size, magic, dimensions, steps, units, qform, sform, quaternion, offset, rows;
   bool isWide; ///< whether numbers have 8 bytes, and codes 4
 };
 
-constexpr Layout layouts[] = {{348, 344, 40, 76, 252, 254, 256, 268, 280, false},
-  {540, 4, 16, 104, 344, 348, 352, 376, 400, true}};
+constexpr Layout layouts[] = {{348, 344, 40, 76, 123, 252, 254, 256, 268, 280, false},
+  {540, 4, 16, 104, 500, 344, 348, 352, 376, 400, true}};
 
 class Header
 {
@@ -53,6 +53,13 @@ public:
   int code(std::size_t field) const
   {
     return layout_->isWide ? this->number<std::int32_t>(field) : this->number<std::int16_t>(field);
+  }
+  LengthUnit unit() const
+  {
+    const int code = layout_->isWide ? this->number<std::int32_t>(layout_->units)
+                                     : this->number<std::uint8_t>(layout_->units);
+    const int ofLength = code & 7; // next to the unit of time
+    return ofLength <= 3 ? static_cast<LengthUnit>(ofLength) : LengthUnit::unknown;
   }
   double real(std::size_t field, std::size_t n) const
   {
@@ -126,6 +133,7 @@ ImagePlace niftiImage(const std::string& head)
   }
   ImagePlace place;
   place.space = ImageSpace::ras;
+  place.unit = header.unit();
   const double axes = header.whole(layout.dimensions, 0);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {

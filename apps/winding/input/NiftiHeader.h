@@ -20,6 +20,7 @@ struct ImagePlace
   std::array<double, 3> origin = {};               ///< the centre of the first voxel
   std::array<std::array<double, 3>, 3> steps = {}; ///< from a voxel to the next, along each index
   ImageSpace space = ImageSpace::unnamed;
+  LengthUnit unit = LengthUnit::unknown;
 };
 
 /// The number of bytes in which niftiImage() finds all that it needs.

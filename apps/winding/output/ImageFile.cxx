@@ -46,15 +46,15 @@ const VoxelType& typeOf(vtkDataArray* values)
     [values](const VoxelType& candidate) { return candidate.type == values->GetDataType(); });
 }
 
-/// The place of an image in the coordinates of a space: the first voxel, and the directions as
-/// columns.
+/// The place of an image in the coordinates of a space, at a scale: the first voxel, and the
+/// directions as columns.
 struct Place
 {
   int dimensions[3];
   double origin[3], spacing[3], directions[3][3];
 };
 
-Place placeIn(ImageSpace space, const PlacedImage& placed)
+Place placeIn(ImageSpace space, const PlacedImage& placed, double scale = 1)
 {
   vtkImageData* const image = placed.image;
   const std::array<double, 3> signs = signsBetween(placed.space, space);
@@ -66,7 +66,7 @@ Place placeIn(ImageSpace space, const PlacedImage& placed)
   for (int row = 0; row < 3; ++row)
   {
     const double sign = signs[static_cast<std::size_t>(row)];
-    place.origin[row] = sign * place.origin[row] + 0.0; // and no −0
+    place.origin[row] = scale * sign * place.origin[row] + 0.0; // and no −0
     for (int axis = 0; axis < 3; ++axis)
     {
       // These formats have no negative spacings.
@@ -77,7 +77,7 @@ Place placeIn(ImageSpace space, const PlacedImage& placed)
   }
   for (double& spacing : place.spacing)
   {
-    spacing = spacing == 0 ? 1 : std::abs(spacing); // of a single layer
+    spacing = scale * (spacing == 0 ? 1 : std::abs(spacing)); // 0 of a single layer
   }
   return place;
 }
@@ -197,7 +197,7 @@ std::size_t writePacked(
 
 void writeMeta(const PlacedImage& placed, vtkDataArray* values, Stream& stream)
 {
-  const Place place = placeIn(ImageSpace::lps, placed);
+  const Place place = placeIn(ImageSpace::lps, placed, inMillimetres(placed.unit));
   std::string head = std::string("ObjectType = Image\nNDims = 3\nBinaryData = True\n"
                                  "BinaryDataByteOrderMSB = ") +
                      (isBigEndian ? "True" : "False") +
@@ -228,7 +228,7 @@ void writeMeta(const PlacedImage& placed, vtkDataArray* values, Stream& stream)
 void writeNrrd(const PlacedImage& placed, vtkDataArray* values, Stream& stream)
 {
   const ImageSpace space = placed.space == ImageSpace::unnamed ? ImageSpace::lps : placed.space;
-  const Place place = placeIn(space, placed);
+  const Place place = placeIn(space, placed, inMillimetres(placed.unit));
   std::string head = std::string("NRRD0004\n# by winding\ntype: ") + typeOf(values).inNrrd +
                      "\ndimension: 3\nspace: " + nameOf(space) + "\nsizes:";
   for (const int count : place.dimensions)
@@ -359,6 +359,7 @@ std::string niftiHeader(const PlacedImage& placed, vtkDataArray* values, const O
   put(header, 72, static_cast<std::int16_t>(8 * values->GetDataTypeSize()));
   put(header, 108, static_cast<double>(size));
   put(header, 112, 1.0); // slope
+  header[123] = static_cast<char>(placed.unit);
   constexpr std::int16_t scanner = 1;
   put(header, 252, scanner);
   put(header, 254, scanner);

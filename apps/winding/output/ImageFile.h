@@ -15,7 +15,8 @@ class OutputFile;
  * Coordinates are in `placed.space`, and go into the format's own space: LPS in .mha, RAS in NIfTI.
  * So voxels stay where they are in the patient. A .nrrd names the space. Where the space is
  * unnamed, coordinates go out as they are, and count as LPS in .mha and .nrrd, and as RAS in NIfTI.
- * NIfTI keeps them in single precision (checkMedicalImage()).
+ * NIfTI keeps them in single precision (checkMedicalImage()), and `placed.unit` with them. In .mha
+ * and .nrrd metres and micrometres become mm, the unit of ITK.
  *
  * Leaves commit() to the caller. Throws Failure when the file cannot be written whole, when the
  * program is interrupted, and for images that a format cannot hold.
