@@ -85,6 +85,10 @@ TEST(ImageQueries, LieWhereMedicalHeadersSay)
   expectPlace("head.nii", asNifti(NiftiKind::wide));
   expectPlace("head.nii.gz", packedByGzip(asNifti(NiftiKind::sform)), 1e-6);
   expectPlace("head.nii", packedByGzip(asNifti(NiftiKind::sform)), 1e-6);
+  // In several parts, of which one is empty, as bgzip and pigz make them.
+  const std::string nifti = asNifti(NiftiKind::sform);
+  expectPlace("head.nii.gz",
+    packedByGzip("") + packedByGzip(nifti.substr(0, 100)) + packedByGzip(nifti.substr(100)), 1e-6);
 }
 
 /// Returns a text with its first `before` replaced.
@@ -257,9 +261,14 @@ TEST(ImageQueries, DamagedHeadersAreRefusedInOneLine)
   refuses("a.nrrd", with(straight, "\n\n", "\ncenters: cell x cell\n\n"), "'x' in 'centers'");
   refuses("a.nrrd", with(nrrd, "kinds", "Sizes: 7 8 9\nkinds"), "has 'Sizes' twice");
   refuses("a.nrrd", nrrd.substr(0, nrrd.find("kinds")), "no end");
-  refuses("a.nii", nifti.substr(0, 347), "does not begin like NIfTI");
+  refuses("a.nii", nifti.substr(0, 347), "ends before its header does");
+  refuses("a.nii", nifti.substr(0, 3), "does not begin like NIfTI");
   refuses("a.nii", with(nifti, "n+1", "xxx"), "Analyze");
-  refuses("a.nii.gz", packedByGzip(nifti).substr(0, 30), "does not begin like NIfTI");
+  const std::string packed = packedByGzip(nifti);
+  refuses("a.nii.gz", packed.substr(0, 30), "ends before it is unpacked");
+  refuses("a.nii.gz", packed.substr(0, packed.size() - 30), "ends before it is unpacked");
+  refuses("a.nii.gz", packed.substr(0, 10) + std::string(50, 'x'), "cannot be unpacked");
+  refuses("a.nii.gz", packedByGzip(nifti.substr(0, 347)), "ends before its header does");
   refuses("a.nii", "x" + nifti, "does not begin like NIfTI");
   std::string infinite = nifti;
   infinite.replace(280, 4, "\x00\x00\x80\x7f", 4);

@@ -13,6 +13,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -405,24 +406,27 @@ ImagePlace nrrdImage(const std::string& head)
   return place;
 }
 
-/// Unpacks the first bytes of a file that was packed by gzip, `most` at most.
-std::string unpacked(const std::string& packed, std::size_t most)
+/// Unpacks the first bytes of a file that was packed by gzip, in one part or several. Reads no more
+/// of it. Throws Failure where the file ends before, or is damaged.
+std::string unpackedBeginningOf(const std::string& fileName, unsigned int bytes)
 {
-  std::string result(most, '\0');
-  z_stream stream = {};
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
-  stream.avail_in = static_cast<uInt>(packed.size());
-  stream.next_out = reinterpret_cast<Bytef*>(result.data());
-  stream.avail_out = static_cast<uInt>(result.size());
-  constexpr int gzipOnly = 16;
-  if (inflateInit2(&stream, gzipOnly + MAX_WBITS) != Z_OK)
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(fileName.c_str(), "rb"), gzclose);
+  if (!file)
   {
-    throw std::bad_alloc();
+    throw Failure(EXIT_REFUSED, fileName, "cannot be opened; check its permissions");
   }
-  inflate(&stream, Z_SYNC_FLUSH);
-  result.resize(result.size() - stream.avail_out);
-  inflateEnd(&stream);
-  return result;
+  std::string beginning(bytes, '\0');
+  const int count = gzread(file.get(), beginning.data(), bytes);
+  int status = Z_OK;
+  gzerror(file.get(), &status);
+  if (status != Z_OK)
+  {
+    throw Failure(EXIT_REFUSED, fileName,
+      status == Z_BUF_ERROR ? "ends before it is unpacked; it is damaged, fetch it again"
+                            : "cannot be unpacked; it is damaged, fetch it again");
+  }
+  beginning.resize(static_cast<std::size_t>(std::max(0, count)));
+  return beginning;
 }
 
 /// Makes an image without arrays at a place.
@@ -488,7 +492,7 @@ PlacedImage readImageHeader(const std::string& fileName)
   const std::string suffix = suffixOf(fileName);
   if (head.rfind("\x1f\x8b", 0) == 0 && (suffix == ".nii" || suffix == ".nii.gz"))
   {
-    head = unpacked(head, bytesOfNiftiHeader);
+    head = unpackedBeginningOf(fileName, bytesOfNiftiHeader);
   }
   return placedImage(head, suffix, fileName);
 }

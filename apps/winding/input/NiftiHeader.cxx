@@ -30,9 +30,13 @@ public:
       for (const bool isSwapped : {false, true})
       {
         isSwapped_ = isSwapped;
-        if (bytes.size() >= layout.size &&
+        if (bytes.size() >= sizeof(std::int32_t) &&
             this->number<std::int32_t>(0) == static_cast<std::int32_t>(layout.size))
         {
+          if (bytes.size() < layout.size)
+          {
+            throw HeaderFault("it ends before its header does");
+          }
           layout_ = &layout;
           return;
         }
