@@ -97,9 +97,9 @@ def grid_of_image(image, at_cells):
     if at_cells:
         first = np.where(counts > 1, first + 0.5 * steps, first)
         counts = np.maximum(counts - 1, 1)
-    # A layer of samples has no spacing across, whatever an image says.
+    # A single layer may have no spacing across. Where it has one, that is how thick its voxels are.
     widest = max((step for step, count in zip(steps, counts) if count > 1), default=0)
-    steps = np.where(counts == 1, widest if widest > 0 else 1, steps)
+    steps = np.where((counts == 1) & ~(steps > 0), widest if widest > 0 else 1, steps)
     if not (np.isfinite(first).all() and np.isfinite(steps).all() and (steps > 0).all()):
         return None, None
     return _library.Grid(tuple(first), tuple(steps), tuple(int(count) for count in counts)), frame

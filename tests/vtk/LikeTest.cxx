@@ -199,6 +199,42 @@ TEST_F(Like, FlatImagesHaveALayer)
   EXPECT_EQ(field->GetOutput()->GetCellData()->GetArray("WindingNumber")->GetNumberOfTuples(), 80);
 }
 
+TEST_F(Like, ASliceIsAsThickAsItsSpacing)
+{
+  // The sphere ends at 0.5. The layer goes from 0.4 to 0.8, and its samples lie outside.
+  vtkNew<vtkImageData> slice;
+  slice->SetDimensions(21, 21, 1);
+  slice->SetOrigin(-0.5, -0.5, 0.6);
+  slice->SetSpacing(0.05, 0.05, 0.4);
+  vtkNew<vtkImageData> thin;
+  thin->CopyStructure(slice);
+  thin->SetSpacing(0.05, 0.05, 0);
+  sphere->SetThetaResolution(60);
+  sphere->SetPhiResolution(60);
+  field->SetInputConnection(sphere->GetOutputPort());
+  field->SetCoverage(vtkWindingNumberField::ANY);
+  const auto insideOf = [&](vtkImageData* image)
+  {
+    field->SetLikeData(image);
+    field->Update();
+    vtkDataArray* const inside = field->GetOutput()->GetPointData()->GetArray("Inside");
+    int count = 0;
+    for (vtkIdType i = 0; i < inside->GetNumberOfTuples(); ++i)
+    {
+      count += inside->GetTuple1(i) > 0;
+    }
+    return count;
+  };
+  // Squares of 0.05 that come into the disc of radius 0.3 at 0.4.
+  EXPECT_NEAR(insideOf(slice), 129, 8);
+  EXPECT_EQ(insideOf(thin), 0) << "no thicker than it is wide";
+  field->SetCoverage(vtkWindingNumberField::FRACTION);
+  insideOf(slice);
+  // The ball fills at most a quarter of the layer.
+  const double most = field->GetOutput()->GetPointData()->GetArray("Coverage")->GetRange()[1];
+  EXPECT_NEAR(most, 0.25, 0.03);
+}
+
 TEST_F(Like, LabelsLieOnTheVeryImage)
 {
   const auto image = imageAlong(mirrored);

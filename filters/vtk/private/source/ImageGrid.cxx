@@ -68,10 +68,11 @@ ImageGrid requiredGridOf(vtkImageData* image, bool atCells)
       --grid.dimensions[axis];
     }
   }
-  // A layer of samples has no spacing across, whatever an image says.
+  // A single layer may have no spacing across. Where it has one, that is how thick its voxels are.
   const Eigen::Array<bool, 3, 1> isLayer = grid.dimensions.array() == 1;
   const double widest = isLayer.select(0, grid.spacing).maxCoeff();
-  grid.spacing = isLayer.select(widest > 0 ? widest : 1, grid.spacing);
+  const Eigen::Array<bool, 3, 1> isThin = isLayer && !(grid.spacing.array() > 0);
+  grid.spacing = isThin.select(widest > 0 ? widest : 1, grid.spacing);
   checkGrid(grid);
   return result;
 }
