@@ -41,6 +41,11 @@ void vtkWindingNumberImageAlgorithm::SetLikeData(vtkImageData* image)
   this->SetInputDataObject(1, image);
 }
 
+bool vtkWindingNumberImageAlgorithm::HasRightAngles(vtkImageData* image)
+{
+  return winding::hasRightAngles(image, winding::mostSkewToLieOn);
+}
+
 vtkImageData* vtkWindingNumberImageAlgorithm::GetOutput()
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(0));

@@ -14,7 +14,8 @@
  * of this image. Properties of the grid count for nothing then. The filter uses the pipeline's
  * information on the image, and needs no data of it. Images that are turned or mirrored take no
  * longer than straight ones: they are grids along their own axes, which have to be at right angles
- * up to 1e-5.
+ * up to 1e-3, as direction cosines of four digits are (HasRightAngles()). Samples lie at the places
+ * of the image, and signed distances have that relative error.
  *
  * Progress follows the evaluation. Abort is obeyed within a fraction of a second, also while the
  * filter prepares; the output is then empty.
@@ -45,6 +46,10 @@ public:
   void SetLikeConnection(vtkAlgorithmOutput* image);
   void SetLikeData(vtkImageData* image);
   ///@}
+
+  /// Returns whether the axes of an image are at right angles up to 1e-3, so that results can lie
+  /// on it.
+  static bool HasRightAngles(vtkImageData* image);
 
   /// The place of the samples in the image.
   enum OutputAssociationType

@@ -38,7 +38,8 @@ def evaluate(field, data, kinds, sides, *, at_cells=False, coverage=0, band=0, s
     their names in the library. Coverage and bands are for images."""
     grid, frame = None, None
     if isinstance(data, pv.ImageData):
-        grid, frame = _parts.grid_of_image(data, at_cells)
+        skew = {"skew": _parts.MOST_SKEW_TO_LIE_ON} if coverage or band else {}
+        grid, frame = _parts.grid_of_image(data, at_cells, **skew)
     if grid is not None:
         return on_grid(field if frame is None else field.framed(frame), grid, kinds, sides,
                        coverage, band, show)

@@ -9,8 +9,9 @@ from ._checks import check_cells
 
 _MARK = "Winding.Kept"
 _POLY_VERTEX = 2
-# The largest difference from 0 or 1 that products of two axes of an image may have.
-_MOST_SKEW = 1e-5
+# The largest difference from 0 or 1 that products of two axes of an image may have: in a grid of
+# queries, and where a result is to lie on the image.
+_MOST_SKEW, MOST_SKEW_TO_LIE_ON = 1e-5, 1e-3
 _SINGLE, _DOUBLE = 0, 1  # of SetOutputPointsPrecision(); the default is 2
 
 
@@ -74,19 +75,19 @@ def _axes_of(image):
     return directions_of(image) * np.where(np.array(image.GetSpacing()) < 0, -1, 1)
 
 
-def has_right_angles(image):
-    """Whether the axes of an image are at right angles, so that distances along them are those of
-    space, up to a difference that directions in single precision are within."""
+def has_right_angles(image, skew=MOST_SKEW_TO_LIE_ON):
+    """Whether the axes of an image are at right angles up to a skew, so that distances along them
+    are those of space."""
     axes = _axes_of(image)
-    return bool((np.abs(axes.T @ axes - np.eye(3)) <= _MOST_SKEW).all())
+    return bool((np.abs(axes.T @ axes - np.eye(3)) <= skew).all())
 
 
-def grid_of_image(image, at_cells):
+def grid_of_image(image, at_cells, skew=_MOST_SKEW):
     """The grid of the library that the points of an image are, or the centres of its cells, and its
     Frame, which is None where the coordinates of space are the image's. The grid is None for images
-    with axes that are not at right angles, that are empty or that have blank parts."""
-    if (not has_right_angles(image) or image.GetNumberOfPoints() == 0 or image.HasAnyBlankPoints()
-            or image.HasAnyBlankCells()):
+    with axes that are not at right angles up to `skew`, that are empty or that have blank parts."""
+    if (image.GetNumberOfPoints() == 0 or image.HasAnyBlankPoints() or image.HasAnyBlankCells()
+            or not has_right_angles(image, skew)):
         return None, None
     axes, frame, start = _axes_of(image), None, np.array(image.GetOrigin())
     if not np.array_equal(axes, np.eye(3)):

@@ -215,6 +215,33 @@ TEST(Like, NiftiKeepsTheUnitOfLengths)
   EXPECT_EQ(contentsOf(plain)[units], 0) << "a surface has no unit";
 }
 
+TEST(Like, DirectionsMayHaveFourDigits)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1)));
+  const auto imageOf = [](const std::string& directions, const std::string& sizes)
+  {
+    return "ObjectType = Image\nNDims = 3\nTransformMatrix = " + directions +
+           "\nElementSpacing = 0.5 0.5 0.5\nDimSize = " + sizes + "\nElementDataFile = LOCAL\n";
+  };
+  const std::string rounded = "0.7045 0.5934 0.3894 -0.7035 0.6565 0.2722 -0.0942 -0.4657 0.8799";
+  for (const std::string suffix : {".mha", ".nrrd", ".nii", ".vti"})
+  {
+    const std::string like = folder.write("like.mha", imageOf(rounded, "9 9 9"));
+    const Outcome run = runProgram(
+      {suffix == ".vti" ? "field" : "voxels", in, "-o", folder.path("a" + suffix), "--like", like});
+    EXPECT_EQ(run.status, 0) << run;
+    EXPECT_EQ(run.err.find("right angles"), std::string::npos) << run;
+  }
+  // The qform has right angles, and lies up to half of 9e-4 of 900 voxels away.
+  const std::string like = folder.write("like.mha", imageOf("1 0 0 9e-4 1 0 0 0 1", "900 900 1"));
+  const Outcome nifti = runProgram({"voxels", in, "-o", folder.path("a.nii"), "--like", like});
+  EXPECT_EQ(nifti.status, 0) << nifti;
+  EXPECT_NE(nifti.err.find("that read the qform see voxels up to 0."), std::string::npos) << nifti;
+  const Outcome nrrd = runProgram({"voxels", in, "-o", folder.path("a.nrrd"), "--like", like});
+  EXPECT_EQ(nrrd.err.find("qform"), std::string::npos) << nrrd;
+}
+
 TEST(Like, PiecesAndSurfacesLieOnIt)
 {
   const TemporaryFolder folder;
@@ -288,8 +315,8 @@ TEST(Like, WhatMakesNoSenseIsRefused)
   std::string askew = asMetaImage();
   const std::string key = "TransformMatrix = ";
   askew.replace(askew.find(key), key.size(), key + "1 0.1 0 0 1 0 0 0 1\nx = ");
-  refuses(
-    {"field", in, "-o", vti, "--like", folder.write("askew.mha", askew)}, 2, "not at right angles");
+  refuses({"field", in, "-o", vti, "--like", folder.write("askew.mha", askew)}, 2,
+    "askew.mha: its axes are not at right angles");
 }
 
 TEST(Like, WhatNiftiCannotHoldIsSaidBeforeAnythingIsComputed)

@@ -17,6 +17,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace
 {
 
@@ -296,6 +298,39 @@ TEST_F(Like, ImagesThatAreNoGridAreRefused)
   pointlike->SetDimensions(3, 3, 3);
   pointlike->SetSpacing(0, 1, 1);
   refuses(pointlike, "vtkWindingNumberField");
+}
+
+TEST_F(Like, DirectionsOfFourDigitsAreRightAngles)
+{
+  // Rounded as exporters of DICOM do it. Products of axes differ from 0 and 1 by up to 5e-5.
+  constexpr double rounded[9] = {
+    0.7045, -0.7035, -0.0942, 0.5934, 0.6565, -0.4657, 0.3894, 0.2722, 0.8799};
+  // By up to 9e-4.
+  constexpr double skewed[9] = {1, 9e-4, 0, 0, 1, 0, 0, 0, 1};
+  sphere->Update();
+  for (const auto& image : {imageAlong(rounded), imageAlong(skewed)})
+  {
+    field->SetInputConnection(sphere->GetOutputPort());
+    field->SetLikeData(image);
+    field->Update();
+    ASSERT_EQ(field->GetStatus(), vtkWindingNumberField::DONE);
+    expectSamePlace(field->GetOutput(), image);
+    vtkPointData* const found = field->GetOutput()->GetPointData();
+    const auto expected = directly(image, sphere->GetOutput(), false);
+    for (const char* name : {"WindingNumber", "Inside"})
+    {
+      EXPECT_LT(largestDifference(found->GetArray(name), expected->GetArray(name)), 1e-10) << name;
+    }
+    vtkDataArray* const distances = expected->GetArray("SignedDistance");
+    for (vtkIdType i = 0; i < distances->GetNumberOfTuples(); ++i)
+    {
+      ASSERT_NEAR(found->GetArray("SignedDistance")->GetTuple1(i), distances->GetTuple1(i),
+        1e-3 * std::abs(distances->GetTuple1(i)) + 1e-12);
+    }
+    EXPECT_TRUE(vtkWindingNumberField::HasRightAngles(image));
+  }
+  constexpr double askew[9] = {1, 2e-3, 0, 0, 1, 0, 0, 0, 1};
+  EXPECT_FALSE(vtkWindingNumberField::HasRightAngles(imageAlong(askew)));
 }
 
 } // namespace

@@ -16,6 +16,7 @@
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkWindingNumberAlgorithm.h"
+#include "vtkWindingNumberImageAlgorithm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,20 @@ vtkSmartPointer<vtkDataObject> readOnFirstRank(
   vtkSmartPointer<vtkDataObject> data = vtkSmartPointer<vtkPolyData>::New();
   parallel::agreeOnFirst([&] { data = readInput(fileName, messages, {options.columns, false}); });
   return data;
+}
+
+/// Throws Failure, with the name of its file, for an image that no result can lie on.
+void checkLike(vtkImageData* image, const std::string& fileName)
+{
+  if (image->GetNumberOfPoints() == 0)
+  {
+    throw Failure(EXIT_REFUSED, fileName, "has no voxels to lie on; give another image");
+  }
+  if (!vtkWindingNumberImageAlgorithm::HasRightAngles(image))
+  {
+    throw Failure(EXIT_REFUSED, fileName,
+      "its axes are not at right angles; resample it first, or probe it instead (winding probe)");
+  }
 }
 
 /// Gives all ranks the number that the first one has. Collective.
@@ -65,7 +80,12 @@ PlacedImage readLike(const Options& options, Messages& messages)
   {
     return place;
   }
-  parallel::agreeOnFirst([&] { place = readPlace(options.like, messages); });
+  parallel::agreeOnFirst(
+    [&]
+    {
+      place = readPlace(options.like, messages);
+      checkLike(place.image, options.like);
+    });
   if (!parallel::isFirst())
   {
     place.image = vtkSmartPointer<vtkImageData>::New();

@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 
 from vtkwinding import _library
 from vtkwinding._errors import WindingError
-from vtkwinding._parts import directions_of, grid_of_image, has_right_angles
+from vtkwinding._parts import MOST_SKEW_TO_LIE_ON, directions_of, grid_of_image, has_right_angles
 
 from .algorithm import DONE, RUN, declared, new_array
 from .ranks import Ranks
@@ -273,7 +273,8 @@ class ImageAlgorithm(GridAlgorithm):
         if not has_right_angles(self.like):
             raise WindingError("the image's axes are not at right angles: resample it first, or "
                                "probe it instead (Winding Number Probe)")
-        self.grid, self.frame = grid_of_image(self.like, self.values["OutputAssociation"] == 1)
+        self.grid, self.frame = grid_of_image(
+            self.like, self.values["OutputAssociation"] == 1, MOST_SKEW_TO_LIE_ON)
         if self.grid is None:
             raise WindingError("the image to lie on has no spacing: give another (Like)")
 

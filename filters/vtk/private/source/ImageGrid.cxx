@@ -26,27 +26,9 @@ Eigen::Matrix3d axesOf(vtkImageData* image)
   return axes;
 }
 
-} // namespace
-
-bool hasRightAngles(vtkImageData* image)
+/// Lays a grid on an image that has samples and right angles.
+ImageGrid layOn(vtkImageData* image, bool atCells)
 {
-  const Eigen::Matrix3d axes = axesOf(image);
-  const Eigen::Matrix3d skew = axes.transpose() * axes - Eigen::Matrix3d::Identity();
-  return (skew.array().abs() <= mostSkew).all(); // and none is NaN
-}
-
-ImageGrid requiredGridOf(vtkImageData* image, bool atCells)
-{
-  if (image->GetNumberOfPoints() == 0)
-  {
-    throw Refusal(Message("the image to lie on is empty",
-      {{"give one with voxels", {Parameter::like}}, {"give none", {}}}));
-  }
-  if (!hasRightAngles(image))
-  {
-    throw Refusal(Message("the image's axes are not at right angles",
-      {{"resample it first", {}}, {"probe it instead", {Parameter::probe}}}));
-  }
   ImageGrid result;
   Eigen::Vector3d start(image->GetOrigin());
   const Eigen::Matrix3d axes = axesOf(image);
@@ -73,25 +55,52 @@ ImageGrid requiredGridOf(vtkImageData* image, bool atCells)
   const double widest = isLayer.select(0, grid.spacing).maxCoeff();
   const Eigen::Array<bool, 3, 1> isThin = isLayer && !(grid.spacing.array() > 0);
   grid.spacing = isThin.select(widest > 0 ? widest : 1, grid.spacing);
-  checkGrid(grid);
+  return result;
+}
+
+} // namespace
+
+bool hasRightAngles(vtkImageData* image, double skew)
+{
+  const Eigen::Matrix3d axes = axesOf(image);
+  const Eigen::Matrix3d products = axes.transpose() * axes - Eigen::Matrix3d::Identity();
+  return (products.array().abs() <= skew).all(); // and none is NaN
+}
+
+ImageGrid requiredGridOf(vtkImageData* image, bool atCells)
+{
+  if (image->GetNumberOfPoints() == 0)
+  {
+    throw Refusal(Message("the image to lie on is empty",
+      {{"give one with voxels", {Parameter::like}}, {"give none", {}}}));
+  }
+  if (!hasRightAngles(image, mostSkewToLieOn))
+  {
+    throw Refusal(Message("the image's axes are not at right angles",
+      {{"resample it first", {}}, {"probe it instead", {Parameter::probe}}}));
+  }
+  const ImageGrid result = layOn(image, atCells);
+  checkGrid(result.grid);
   return result;
 }
 
 std::optional<ImageGrid> gridOfImage(vtkDataSet* data, bool atCells)
 {
   auto* image = vtkImageData::SafeDownCast(data);
-  if (!image)
+  if (!image || image->GetNumberOfPoints() == 0 || !hasRightAngles(image, mostSkew))
   {
     return std::nullopt;
   }
+  const ImageGrid result = layOn(image, atCells);
   try
   {
-    return requiredGridOf(image, atCells);
+    checkGrid(result.grid);
   }
   catch (const Refusal&)
   {
-    return std::nullopt;
+    return std::nullopt; // its samples are scattered points
   }
+  return result;
 }
 
 } // namespace winding
