@@ -109,15 +109,21 @@ void vtkWindingNumberImageAlgorithm::CheckLike(vtkImageData* image) const
   {
     return std::equal(a, a + count, b);
   };
+  const auto isInside = [](const int* part, const int* whole)
+  {
+    return part[0] >= whole[0] && part[1] <= whole[1] && part[2] >= whole[2] &&
+           part[3] <= whole[3] && part[4] >= whole[4] && part[5] <= whole[5];
+  };
   if (image && image->GetNumberOfPoints() > 0 &&
-      !(areSame(image->GetOrigin(), this->Like->GetOrigin(), 3) &&
+      !(isInside(image->GetExtent(), this->Like->GetExtent()) &&
+        areSame(image->GetOrigin(), this->Like->GetOrigin(), 3) &&
         areSame(image->GetSpacing(), this->Like->GetSpacing(), 3) &&
         areSame(
           image->GetDirectionMatrix()->GetData(), this->Like->GetDirectionMatrix()->GetData(), 9)))
   {
     throw winding::Refusal(winding::Message("the image lies elsewhere than announced",
       {{"give it as data", {winding::Parameter::like}}},
-      "the filter or reader before it does not announce its origin, spacing or "
+      "the filter or reader before it does not announce its extent, origin, spacing or "
       "direction"));
   }
 }

@@ -10,6 +10,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
+#include "vtkTrivialProducer.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberLabels.h"
 #include "vtkWindingNumberProbe.h"
@@ -331,6 +332,22 @@ TEST_F(Like, DirectionsOfFourDigitsAreRightAngles)
   }
   constexpr double askew[9] = {1, 2e-3, 0, 0, 1, 0, 0, 0, 1};
   EXPECT_FALSE(vtkWindingNumberField::HasRightAngles(imageAlong(askew)));
+}
+
+TEST_F(Like, AnImageOfAnotherExtentThanAnnouncedIsRefused)
+{
+  const auto image = imageAlong(oblique);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(image);
+  int extent[6];
+  image->GetExtent(extent);
+  producer->SetWholeExtent(extent[0], extent[1] - 3, extent[2], extent[3], extent[4], extent[5]);
+  field->SetInputConnection(sphere->GetOutputPort());
+  field->SetLikeConnection(producer->GetOutputPort());
+  const ErrorLog log(field);
+  field->Update();
+  EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
+  EXPECT_NE(log.errors().find("lies elsewhere than announced"), std::string::npos) << log.errors();
 }
 
 } // namespace

@@ -32,6 +32,12 @@ def _place_of(image):
             directions_of(image).ravel().tolist())
 
 
+def _is_inside(part, whole):
+    """Whether an extent lies in another."""
+    return (all(one >= other for one, other in zip(part[::2], whole[::2]))
+            and all(one <= other for one, other in zip(part[1::2], whole[1::2])))
+
+
 def whole_extent(grid):
     return [end for count in grid.dimensions for end in (0, count - 1)]
 
@@ -260,11 +266,12 @@ class ImageAlgorithm(GridAlgorithm):
 
     def _check_like(self, image):
         """Refuses an image that lies elsewhere than its pipeline has announced."""
-        if image is not None and image.GetNumberOfPoints() > 0 and (
-                _place_of(image) != _place_of(self.like)):
+        if image is not None and image.GetNumberOfPoints() > 0 and not (
+                _is_inside(image.GetExtent(), self.like.GetExtent())
+                and _place_of(image) == _place_of(self.like)):
             raise WindingError(
                 "the image lies elsewhere than announced: give it as data (Like); the filter or "
-                "reader before it does not announce its origin, spacing or direction")
+                "reader before it does not announce its extent, origin, spacing or direction")
 
     def _lay_on_like(self):
         if self.like.GetNumberOfPoints() == 0:
