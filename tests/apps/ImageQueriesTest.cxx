@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -128,6 +129,76 @@ TEST(ImageQueries, WithoutDirectionsAreStraight)
   }
 }
 
+TEST(ImageQueries, HeadersHaveSeveralWritings)
+{
+  const std::string meta = asMetaImage(), nrrd = asNrrd("LPS");
+  std::string colons = meta;
+  std::replace(colons.begin(), colons.end(), '=', ':');
+  expectPlace("head.mha", colons);
+  expectPlace("head.mha", with(meta, "ElementSpacing = ", "ElementSpacing = +"));
+  expectPlace("head.nrrd", with(nrrd, "kinds", "sizes:=1 1 1\nkinds"));
+  // Headers of images in other files, which need not be there.
+  expectPlace("head.mhd", with(meta, "LOCAL", "voxels.raw"));
+  const std::string inFiles = with(nrrd, "kinds", "data file: voxels.raw\nkinds");
+  expectPlace("head.nhdr", inFiles);
+  expectPlace("head.nhdr", inFiles.substr(0, inFiles.size() - 1));
+  expectPlace("head.nrrd", inFiles.substr(0, inFiles.size() - 1));
+  expectPlace("head.nhdr", with(nrrd, "\n\n", "\ndatafile: LIST\na.raw\nb.raw\n"));
+  // Steps that the sform makes useless.
+  std::string steps = asNifti(NiftiKind::sform);
+  steps.replace(80, 4, "\x00\x00\xc0\x7f", 4);
+  expectPlace("head.nii", steps, 1e-6);
+}
+
+TEST(ImageQueries, MayHaveTwoAxesOrMoreThanThree)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1))), out = folder.path("out.vti");
+  const auto expectImage =
+    [&](const std::string& name, const std::string& contents, const std::array<double, 6>& bounds)
+  {
+    const Outcome run = runProgram({"probe", in, folder.write(name, contents), "-o", out});
+    ASSERT_EQ(run.status, 0) << run;
+    vtkNew<vtkXMLImageDataReader> reader;
+    vtkImageData* const image = readImage(reader, out);
+    for (std::size_t n = 0; n < 6; ++n)
+    {
+      EXPECT_NEAR(image->GetBounds()[n], bounds[n], 1e-12) << contents;
+    }
+    EXPECT_NEAR(image->GetSpacing()[2], 2, 1e-12) << contents;
+  };
+  const std::string meta = "ObjectType = Image\n", file = "\nElementDataFile = LOCAL\n";
+  expectImage("a.mha",
+    meta + "NDims = 2\nTransformMatrix = 1 0 0 1\nOffset = 3 4\nElementSpacing = 1 2\n" +
+      "DimSize = 5 6" + file,
+    {3, 7, 4, 14, 0, 0});
+  expectImage("a.mha",
+    meta + "NDims = 4\nOffset = 3 4 5 6\nElementSpacing = 1 1 2 9\nDimSize = 5 6 7 8" + file,
+    {3, 7, 4, 9, 5, 17});
+  const std::string nrrd = "NRRD0004\ntype: uchar\n";
+  expectImage("a.nrrd",
+    nrrd + "dimension: 2\nspace dimension: 2\nsizes: 5 6\nspace directions: (1,0) (0,2)\n" +
+      "space origin: (+3,+4e0)\n\n",
+    {3, 7, 4, 14, 0, 0});
+  expectImage("a.nrrd",
+    nrrd + "dimension: 2\nspace: LPS\nsizes: 5 6\nspace directions: (1,0,0) (0,2,0)\n" +
+      "space origin: (3,4,5)\n\n",
+    {3, 7, 4, 14, 5, 5});
+  expectImage("a.nrrd",
+    nrrd + "dimension: 4\nspace: LPST\nsizes: 5 6 7 8\nspace origin: (3,4,5,6)\n" +
+      "space directions: (1,0,0,0) (0,1,0,0) (0,0,2,0) (0,0,0,1)\n\n",
+    {3, 7, 4, 9, 5, 17});
+  const std::string colours = "dimension: 4\nsizes: 3 5 6 7\nspacings: nan 1 1 2\n";
+  expectImage(
+    "a.nrrd", nrrd + colours + "kinds: RGB-color domain domain domain\n\n", {0, 4, 0, 5, 0, 12});
+  expectImage("a.nrrd",
+    nrrd + "dimension: 4\nsizes: 5 6 7 8\nspacings: 1 1 2 9\nkinds: domain domain domain time\n\n",
+    {0, 4, 0, 5, 0, 12});
+  const Outcome run =
+    runProgram({"probe", in, folder.write("a.nrrd", nrrd + colours + "\n"), "-o", out});
+  EXPECT_TRUE(run.saysInOneLine({"a.nrrd", "more than 3 axes of space"})) << run;
+}
+
 TEST(ImageQueries, OfNrrdMayHaveEndsOfAxes)
 {
   const TemporaryFolder folder;
@@ -231,7 +302,10 @@ TEST(ImageQueries, DamagedHeadersAreRefusedInOneLine)
     EXPECT_TRUE(run.saysInOneLine({name, words})) << words << "\n" << run;
   };
   const std::string meta = asMetaImage(), nrrd = asNrrd("LPS"), nifti = asNifti(NiftiKind::sform);
-  refuses("a.mha", with(meta, "NDims = 3", "NDims = 2"), "no image of three dimensions");
+  refuses("a.mha", with(meta, "NDims = 3", "NDims = 2"), "3 numbers in 'DimSize', not 2");
+  refuses("a.mha", with(meta, "NDims = 3", "NDims = 1"), "number of axes in 'NDims'");
+  refuses("a.mha", with(meta, "NDims", "Dims"), "no 'NDims'");
+  refuses("a.mha", with(meta, "DimSize", "Size"), "no 'DimSize'");
   refuses("a.mha", with(meta, "DimSize = 7", "DimSize = 0"), "no number of voxels");
   refuses("a.mha", with(meta, "DimSize = 7", "DimSize = 1e99"), "no number of voxels");
   refuses("a.mha", with(meta, "DimSize = 7", "DimSize ="), "has 2 numbers in 'DimSize', not 3");
@@ -243,9 +317,13 @@ TEST(ImageQueries, DamagedHeadersAreRefusedInOneLine)
   refuses("a.mha", meta.substr(0, 60), "no end");
   refuses("a.nrrd", nrrd.substr(4), "does not begin like NRRD");
   refuses("a.nrrd", with(nrrd, "(", "["), "no vectors");
-  refuses("a.nrrd", with(nrrd, "(", "none ("), "no image of three dimensions");
+  refuses("a.nrrd", with(nrrd, "(", "none ("), "more vectors in 'space directions' than axes");
+  refuses("a.nrrd", with(nrrd, "(", "(1,0,0,0,"), "vectors of 7 numbers");
+  refuses("a.nrrd", asNrrd("LPS", "7 8 9 2", "(1,0,0) "), "more than 3 axes of space");
+  refuses("a.nrrd", asNrrd("LPS", "7 8 9 2", "(1,0,0,1) "), "space and time are mixed");
+  refuses("a.nrrd", asNrrd("LPS", "7 8 9 2", "none none "), "more vectors");
   refuses("a.nrrd", with(nrrd, "dimension: 3", "dimension: 4"), "not 4");
-  refuses("a.nrrd", with(nrrd, "sizes: 7 8 9\n", ""), "no sizes");
+  refuses("a.nrrd", with(nrrd, "sizes: 7 8 9\n", ""), "no 'sizes'");
   refuses("a.nrrd", with(nrrd, "sizes", "size"), "has 'size', which is no field");
   refuses("a.nrrd", with(nrrd, "space origin:", "space origin"), "which is no field");
   refuses("a.nrrd", with(nrrd, "kinds", "axis mins: 1 2 3\nkinds"), "'axis mins'");

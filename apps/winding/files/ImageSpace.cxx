@@ -82,5 +82,6 @@ double inMillimetres(LengthUnit unit)
 
 bool isMedical(const std::string& suffix)
 {
-  return suffix == ".mha" || suffix == ".nrrd" || suffix == ".nii" || suffix == ".nii.gz";
+  const char* const suffixes[] = {".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".nii.gz"};
+  return std::find(std::begin(suffixes), std::end(suffixes), suffix) != std::end(suffixes);
 }

@@ -49,5 +49,6 @@ struct PlacedImage
   LengthUnit unit = LengthUnit::unknown;
 };
 
-/// Whether a suffix is a medical image's: .mha .nrrd .nii .nii.gz.
+/// Whether a suffix is a medical image's: .mha .nrrd .nii .nii.gz, or .mhd or .nhdr, which are
+/// headers of images in other files and are read only.
 bool isMedical(const std::string& suffix);

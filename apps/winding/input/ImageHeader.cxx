@@ -41,6 +41,10 @@ std::string_view trimmed(std::string_view text)
 
 double numberOf(std::string_view word, const std::string& key)
 {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-')
+  {
+    word.remove_prefix(1); // from_chars() knows no plus sign
+  }
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
@@ -84,6 +88,19 @@ int sizeOf(double value, const std::string& key)
 /// The fields of a header by their keys.
 using Fields = std::map<std::string, std::string>;
 
+/// Returns the first of some fields that is there; null if none is.
+const std::string* findAny(const Fields& fields, const std::vector<const char*>& keys)
+{
+  for (const char* key : keys)
+  {
+    if (const auto found = fields.find(key); found != fields.end())
+    {
+      return &found->second;
+    }
+  }
+  return nullptr;
+}
+
 /// Takes the next line off a header as text. Throws HeaderFault behind the last one: the file has
 /// another kind of data, or is cut off.
 std::string_view takeHeaderLine(const std::string& head, std::size_t& start)
@@ -95,7 +112,7 @@ std::string_view takeHeaderLine(const std::string& head, std::size_t& start)
   return trimmed(takeLine(head, start));
 }
 
-/// Reads the fields of a MetaImage, up to ElementDataFile.
+/// Reads the fields of a MetaImage, up to ElementDataFile. Its values stand behind = or a colon.
 Fields metaFields(const std::string& head)
 {
   Fields fields;
@@ -103,7 +120,7 @@ Fields metaFields(const std::string& head)
   while (fields.count("ElementDataFile") == 0)
   {
     const std::string_view line = takeHeaderLine(head, start);
-    if (const std::size_t at = line.find('='); at != std::string_view::npos)
+    if (const std::size_t at = line.find_first_of("=:"); at != std::string_view::npos)
     {
       fields[std::string(trimmed(line.substr(0, at)))] = trimmed(line.substr(at + 1));
     }
@@ -148,78 +165,102 @@ void addNrrdField(std::string_view line, Fields& fields)
   }
 }
 
-/// Reads the fields of a NRRD by nrrdName(), up to an empty line.
+/// Reads the fields of a NRRD by nrrdName(), up to an empty line. A header that names files with
+/// the data may end without one, or with a list of them.
 Fields nrrdFields(const std::string& head)
 {
   Fields fields;
   std::size_t start = 0;
   takeHeaderLine(head, start); // the format's name
-  for (std::string_view line = takeHeaderLine(head, start); !line.empty();
-       line = takeHeaderLine(head, start))
+  const auto hasEnded = [&]
   {
+    const std::string* const data = findAny(fields, {"datafile"});
+    return data && (start >= head.size() || data->rfind("LIST", 0) == 0);
+  };
+  while (!hasEnded())
+  {
+    const std::string_view line = takeHeaderLine(head, start);
+    if (line.empty())
+    {
+      break;
+    }
     addNrrdField(line, fields);
   }
   return fields;
 }
 
-/// Returns the first of some fields that is there; null if none is.
-const std::string* findAny(const Fields& fields, const std::vector<const char*>& keys)
+/// Returns the number of axes that a field says, of which three at most are of space.
+std::size_t axesOf(const Fields& fields, const char* key)
 {
-  for (const char* key : keys)
+  const std::string* const text = findAny(fields, {key});
+  if (!text)
   {
-    if (const auto found = fields.find(key); found != fields.end())
-    {
-      return &found->second;
-    }
+    refuse(std::string("its header has no '") + key + "'");
   }
-  return nullptr;
+  constexpr double most = 16; // of NRRD
+  const double axes = numberOf(*text, key);
+  if (!(axes >= 2 && axes <= most && axes == std::floor(axes)))
+  {
+    refuse(std::string("its header has another number of axes in '") + key + "' than 2 to 16");
+  }
+  return static_cast<std::size_t>(axes);
+}
+
+/// Refuses an axis of space that goes along time as well.
+void checkStep(const std::vector<double>& step)
+{
+  if (std::any_of(
+        step.begin() + std::min<std::ptrdiff_t>(3, static_cast<std::ptrdiff_t>(step.size())),
+        step.end(), [](double number) { return number != 0; }))
+  {
+    refuse("its axes of space and time are mixed");
+  }
 }
 
 ImagePlace metaImage(const std::string& head)
 {
   const Fields fields = metaFields(head);
-  const std::string* const dimensions = findAny(fields, {"NDims"});
-  const std::string* const sizes = findAny(fields, {"DimSize"});
-  if (!dimensions || !sizes || *dimensions != "3")
+  const std::size_t axes = axesOf(fields, "NDims"), ofSpace = std::min<std::size_t>(axes, 3);
+  const auto read = [&](const std::vector<const char*>& keys, std::size_t count)
   {
-    refuse("it is no image of three dimensions");
+    const std::string* const text = findAny(fields, keys);
+    return text ? numbersOf(*text, keys.front(), count) : std::vector<double>();
+  };
+  const std::vector<double> sizes = read({"DimSize"}, axes);
+  // The directions of the axes follow each other.
+  const std::vector<double> directions =
+    read({"TransformMatrix", "Rotation", "Orientation"}, axes * axes);
+  const std::vector<double> spacings = read({"ElementSpacing", "ElementSize"}, axes);
+  const std::vector<double> origin = read({"Offset", "Position", "Origin"}, axes);
+  if (sizes.empty())
+  {
+    refuse("its header has no 'DimSize'");
   }
   ImagePlace place;
   place.space = ImageSpace::lps;
   place.unit = LengthUnit::millimetre; // as in ITK
-  const std::vector<double> counts = numbersOf(*sizes, "DimSize", 3);
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < ofSpace; ++axis)
   {
-    place.dimensions[axis] = sizeOf(counts[axis], "DimSize");
-    place.steps[axis][axis] = 1;
-  }
-  if (const auto* text = findAny(fields, {"TransformMatrix", "Rotation", "Orientation"}))
-  {
-    // The directions of the axes follow each other.
-    const std::vector<double> numbers = numbersOf(*text, "TransformMatrix", 9);
-    for (std::size_t n = 0; n < 9; ++n)
+    std::vector<double> step(axes);
+    step[axis] = 1;
+    if (!directions.empty())
     {
-      place.steps[n / 3][n % 3] = numbers[n];
+      const auto first = directions.begin() + static_cast<std::ptrdiff_t>(axis * axes);
+      std::copy_n(first, axes, step.begin());
+      checkStep(step);
     }
-  }
-  if (const auto* text = findAny(fields, {"ElementSpacing", "ElementSize"}))
-  {
-    const std::vector<double> numbers = numbersOf(*text, "ElementSpacing", 3);
-    for (std::size_t n = 0; n < 9; ++n)
+    place.dimensions[axis] = sizeOf(sizes[axis], "DimSize");
+    place.origin[axis] = origin.empty() ? 0 : origin[axis];
+    for (std::size_t row = 0; row < ofSpace; ++row)
     {
-      place.steps[n / 3][n % 3] *= numbers[n / 3];
+      place.steps[axis][row] = step[row] * (spacings.empty() ? 1 : spacings[axis]);
     }
-  }
-  if (const auto* text = findAny(fields, {"Offset", "Position", "Origin"}))
-  {
-    const std::vector<double> numbers = numbersOf(*text, "Offset", 3);
-    std::copy_n(numbers.begin(), 3, place.origin.begin());
   }
   return place;
 }
 
-/// Reads a vector as "(1,0,0)"; nothing where there is "none".
-std::optional<std::array<double, 3>> vectorOf(std::string_view& text, const std::string& key)
+/// Reads a vector as "(1,0,0)", of two to four numbers; nothing where there is "none".
+std::optional<std::vector<double>> vectorOf(std::string_view& text, const std::string& key)
 {
   text = trimmed(text);
   if (text.substr(0, 4) == "none")
@@ -233,10 +274,15 @@ std::optional<std::array<double, 3>> vectorOf(std::string_view& text, const std:
     refuse("its header has no vectors in '" + key + "'");
   }
   std::string words(text.substr(1, end - 1));
+  const auto count = static_cast<std::size_t>(1 + std::count(words.begin(), words.end(), ','));
   std::replace(words.begin(), words.end(), ',', ' ');
-  const std::vector<double> numbers = numbersOf(words, key, 3);
+  std::vector<double> numbers = numbersOf(words, key, count);
+  if (count < 2 || count > 4)
+  {
+    refuse("its header has vectors of " + std::to_string(count) + " numbers in '" + key + "'");
+  }
   text.remove_prefix(end + 1);
-  return std::array<double, 3>{numbers[0], numbers[1], numbers[2]};
+  return numbers;
 }
 
 /// Reads a number for each of `axes` axes; nothing where there is NaN or no field.
@@ -277,12 +323,32 @@ std::vector<bool> endsAreSamples(const Fields& fields, std::size_t axes)
   return areSamples;
 }
 
+/// Reads for each of `axes` axes whether it is one of space by its kind. Others are of channels or
+/// times.
+std::vector<bool> axesOfSpace(const Fields& fields, std::size_t axes)
+{
+  std::vector<bool> areOfSpace;
+  const std::string* const text = findAny(fields, {"kinds"});
+  if (!text)
+  {
+    return std::vector<bool>(axes, true);
+  }
+  std::string_view rest = *text;
+  for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest))
+  {
+    const std::string kind = inSmallLetters(word);
+    areOfSpace.push_back(kind == "domain" || kind == "space" || kind == "???" || kind == "none");
+  }
+  checkCount(areOfSpace.size(), "kinds", axes);
+  return areOfSpace;
+}
+
 /// Adds an axis of space with its number of voxels.
 void addAxis(const std::array<double, 3>& step, double size, std::size_t& axis, ImagePlace& place)
 {
   if (axis == 3)
   {
-    refuse("it is no image of three dimensions");
+    refuse("its header has more than 3 axes of space");
   }
   place.steps[axis] = step;
   place.dimensions[axis++] = sizeOf(size, "sizes");
@@ -295,7 +361,7 @@ struct Ends
   std::vector<bool> areSamples;
 };
 
-/// Reads the directions of the axes of space. Others, of channels or times, have none. Returns the
+/// Reads the directions of the axes of space. Others have none, or go along time alone. Returns the
 /// number of axes.
 std::size_t addDirections(
   const std::string& text, const std::vector<double>& sizes, const Ends& ends, ImagePlace& place)
@@ -304,27 +370,48 @@ std::size_t addDirections(
   std::string_view rest = text;
   for (std::size_t n = 0; n < sizes.size(); ++n)
   {
-    if (const auto step = vectorOf(rest, "space directions"))
+    const auto vector = vectorOf(rest, "space directions");
+    if (!vector)
     {
-      if (ends.spacings[n] || ends.mins[n] || ends.maxs[n])
-      {
-        refuse("its header has 'space directions' and 'spacings', 'axis mins' or 'axis maxs'");
-      }
-      addAxis(*step, sizes[n], axis, place);
+      continue;
     }
+    if (ends.spacings[n] || ends.mins[n] || ends.maxs[n])
+    {
+      refuse("its header has 'space directions' and 'spacings', 'axis mins' or 'axis maxs'");
+    }
+    std::array<double, 3> step = {};
+    std::copy_n(vector->begin(), std::min<std::size_t>(vector->size(), 3), step.begin());
+    if (vector->size() == 4 && vector->back() != 0 && step == std::array<double, 3>())
+    {
+      continue;
+    }
+    checkStep(*vector);
+    addAxis(step, sizes[n], axis, place);
+  }
+  if (!trimmed(rest).empty())
+  {
+    refuse("its header has more vectors in 'space directions' than axes");
   }
   return axis;
 }
 
 /// Lays axes without directions along the ones of space, as ITK does: steps are 1 where there are
-/// no spacings, whatever the ends of the axes say. Returns the number of axes.
-std::size_t addStraightAxes(const std::vector<double>& sizes, const Ends& ends, ImagePlace& place)
+/// no spacings, whatever the ends of the axes say. Of more than three axes, `kinds` has to say
+/// which are of space; the first three of these count, as in NIfTI. Returns the number of axes.
+std::size_t addStraightAxes(
+  const Fields& fields, const std::vector<double>& sizes, const Ends& ends, ImagePlace& place)
 {
   std::size_t axis = 0;
+  const bool haveKinds = findAny(fields, {"kinds"});
+  const std::vector<bool> areOfSpace = axesOfSpace(fields, sizes.size());
   const bool haveMins = std::any_of(ends.mins.begin(), ends.mins.end(),
     [](const std::optional<double>& min) { return min.has_value(); });
   for (std::size_t n = 0; n < sizes.size(); ++n)
   {
+    if (!areOfSpace[n] || (haveKinds && axis == 3))
+    {
+      continue;
+    }
     const auto& spacing = ends.spacings[n];
     const auto& min = ends.mins[n];
     const auto& max = ends.maxs[n];
@@ -354,10 +441,10 @@ void addAxes(const Fields& fields, const std::vector<double>& sizes, ImagePlace&
   const std::string* const directions = findAny(fields, {"spacedirections"});
   const std::string* const origin = findAny(fields, {"spaceorigin"});
   const std::size_t axes = directions ? addDirections(*directions, sizes, ends, place)
-                                      : addStraightAxes(sizes, ends, place);
-  if (axes != 3)
+                                      : addStraightAxes(fields, sizes, ends, place);
+  if (axes < 2)
   {
-    refuse("it is no image of three dimensions");
+    refuse("its header has fewer than 2 axes of space");
   }
   if (origin)
   {
@@ -366,7 +453,10 @@ void addAxes(const Fields& fields, const std::vector<double>& sizes, ImagePlace&
       refuse("its header has 'space origin' and 'axis mins'");
     }
     std::string_view rest = *origin;
-    place.origin = vectorOf(rest, "space origin").value_or(place.origin);
+    if (const auto vector = vectorOf(rest, "space origin"))
+    {
+      std::copy_n(vector->begin(), std::min<std::size_t>(vector->size(), 3), place.origin.begin());
+    }
   }
 }
 
@@ -377,20 +467,13 @@ ImagePlace nrrdImage(const std::string& head)
     refuse("it does not begin like NRRD");
   }
   const Fields fields = nrrdFields(head);
-  const std::string* const dimension = findAny(fields, {"dimension"});
-  const std::string* const counts = findAny(fields, {"sizes"});
-  if (!dimension || !counts)
+  const std::string* const sizes = findAny(fields, {"sizes"});
+  if (!sizes)
   {
-    refuse("its header has no dimension or no sizes");
-  }
-  constexpr int mostAxes = 16; // of the format
-  const double axes = numberOf(*dimension, "dimension");
-  if (!(axes >= 1 && axes <= mostAxes))
-  {
-    refuse("it is no image of three dimensions");
+    refuse("its header has no 'sizes'");
   }
   ImagePlace place;
-  addAxes(fields, numbersOf(*counts, "sizes", static_cast<std::size_t>(axes)), place);
+  addAxes(fields, numbersOf(*sizes, "sizes", axesOf(fields, "dimension")), place);
   place.space = ImageSpace::lps; // as in ITK where none is named
   place.unit = LengthUnit::millimetre;
   if (const auto* name = findAny(fields, {"space"}))
@@ -427,6 +510,30 @@ std::string unpackedBeginningOf(const std::string& fileName, unsigned int bytes)
   }
   beginning.resize(static_cast<std::size_t>(std::max(0, count)));
   return beginning;
+}
+
+/// Gives an axis that is not there, of an image of two, a voxel as long as the longer side of the
+/// others, across these.
+void addThirdAxis(ImagePlace& place)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto& a = place.steps[(axis + 1) % 3];
+    const auto& b = place.steps[(axis + 2) % 3];
+    const double cross[3] = {
+      a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    const double area = std::hypot(cross[0], cross[1], cross[2]);
+    if (place.dimensions[axis] <= 1 && place.steps[axis] == std::array<double, 3>() && area > 0)
+    {
+      const double longest = std::max(std::hypot(a[0], a[1], a[2]), std::hypot(b[0], b[1], b[2]));
+      place.dimensions[axis] = 1;
+      for (std::size_t row = 0; row < 3; ++row)
+      {
+        place.steps[axis][row] = cross[row] / area * longest;
+      }
+      return;
+    }
+  }
 }
 
 /// Makes an image without arrays at a place.
@@ -474,9 +581,10 @@ PlacedImage placedImage(
 {
   try
   {
-    const ImagePlace place = suffix == ".mha"    ? metaImage(head)
-                             : suffix == ".nrrd" ? nrrdImage(head)
-                                                 : niftiImage(head);
+    ImagePlace place = suffix == ".mha" || suffix == ".mhd"     ? metaImage(head)
+                       : suffix == ".nrrd" || suffix == ".nhdr" ? nrrdImage(head)
+                                                                : niftiImage(head);
+    addThirdAxis(place);
     return {imageAt(place), place.space, place.unit};
   }
   catch (const HeaderFault& fault)

@@ -5,15 +5,15 @@
 #include <string>
 
 /**
- * Reads where the voxels of a medical image lie, .mha .nrrd .nii .nii.gz, from its header; the
- * voxels themselves are neither read nor looked for. Voxel centres are the points of the result,
+ * Reads where the voxels of a medical image lie, .mha .mhd .nrrd .nhdr .nii .nii.gz, from its
+ * header; the voxels themselves are neither read nor looked for. An image of two axes is a slice,
+ * and of more than three axes the ones of space count. Voxel centres are the points of the result,
  * which has no arrays. Coordinates stay as they are in the file: its space is RAS in NIfTI, LPS in
  * .mha, and named by .nrrd, or else LPS. Of NIfTI's two transforms the sform counts, if there is
  * one, and the qform otherwise. Axes need not be at right angles. Lengths are mm in .mha and
  * .nrrd, as in ITK.
  *
- * Throws Failure for files that cannot be opened, and in one line for headers that place no image
- * of three dimensions.
+ * Throws Failure for files that cannot be opened, and in one line for headers that place no image.
  */
 PlacedImage readImageHeader(const std::string& fileName);
 

@@ -148,7 +148,6 @@ ImagePlace niftiImage(const std::string& head)
       throw HeaderFault("its header has no number of voxels along an axis");
     }
     place.dimensions[axis] = static_cast<int>(count);
-    place.steps[axis][axis] = header.real(layout.steps, axis + 1);
   }
   if (header.code(layout.sform) > 0)
   {
@@ -161,7 +160,14 @@ ImagePlace niftiImage(const std::string& head)
       place.origin[row] = header.real(layout.rows, 4 * row + 3);
     }
   }
-  else if (header.code(layout.qform) > 0)
+  else
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      place.steps[axis][axis] = header.real(layout.steps, axis + 1);
+    }
+  }
+  if (header.code(layout.sform) <= 0 && header.code(layout.qform) > 0)
   {
     turn(header, place);
     for (std::size_t row = 0; row < 3; ++row)
