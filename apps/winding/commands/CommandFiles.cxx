@@ -48,10 +48,31 @@ void checkLike(vtkImageData* image, const std::string& fileName)
   }
 }
 
-/// Gives all ranks the number that the first one has. Collective.
-double ofFirstRank(double number)
+/// Gives all ranks the place of an image that the first one has. Collective.
+void shareFirst(vtkImageData* image)
 {
-  return parallel::sum(parallel::isFirst() ? number : 0);
+  struct
+  {
+    int extent[6];
+    double origin[3], spacing[3], directions[9];
+  } place = {};
+  if (parallel::isFirst())
+  {
+    image->GetExtent(place.extent);
+    image->GetOrigin(place.origin);
+    image->GetSpacing(place.spacing);
+    std::copy_n(image->GetDirectionMatrix()->GetData(), 9, place.directions);
+    for (int rank = 1; rank < parallel::count(); ++rank)
+    {
+      parallel::send(&place, sizeof place, rank);
+    }
+    return;
+  }
+  parallel::receive(&place, sizeof place, 0);
+  image->SetExtent(place.extent);
+  image->SetOrigin(place.origin);
+  image->SetSpacing(place.spacing);
+  image->SetDirectionMatrix(place.directions);
 }
 
 } // namespace
@@ -90,23 +111,7 @@ PlacedImage readLike(const Options& options, Messages& messages)
   {
     place.image = vtkSmartPointer<vtkImageData>::New();
   }
-  int extent[6];
-  double origin[3], spacing[3], directions[9];
-  for (int n = 0; n < 9; ++n)
-  {
-    directions[n] = ofFirstRank(place.image->GetDirectionMatrix()->GetData()[n]);
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    origin[axis] = ofFirstRank(place.image->GetOrigin()[axis]);
-    spacing[axis] = ofFirstRank(place.image->GetSpacing()[axis]);
-    extent[2 * axis] = static_cast<int>(ofFirstRank(place.image->GetExtent()[2 * axis]));
-    extent[2 * axis + 1] = static_cast<int>(ofFirstRank(place.image->GetExtent()[2 * axis + 1]));
-  }
-  place.image->SetExtent(extent);
-  place.image->SetOrigin(origin);
-  place.image->SetSpacing(spacing);
-  place.image->SetDirectionMatrix(directions);
+  shareFirst(place.image);
   return place;
 }
 

@@ -40,10 +40,18 @@ constexpr VoxelType types[] = {{VTK_UNSIGNED_CHAR, "MET_UCHAR", "uchar", 2},
   {VTK_UNSIGNED_SHORT, "MET_USHORT", "ushort", 512}, {VTK_FLOAT, "MET_FLOAT", "float", 16},
   {VTK_DOUBLE, "MET_DOUBLE", "double", 64}};
 
+/// Throws Failure for numbers of any other type.
 const VoxelType& typeOf(vtkDataArray* values)
 {
-  return *std::find_if(std::begin(types), std::end(types),
+  const auto* const found = std::find_if(std::begin(types), std::end(types),
     [values](const VoxelType& candidate) { return candidate.type == values->GetDataType(); });
+  if (found == std::end(types))
+  {
+    throw Failure(
+      EXIT_REFUSED, std::string("medical images are not written with numbers of type ") +
+                      values->GetDataTypeAsString());
+  }
+  return *found;
 }
 
 /// The place of an image in the coordinates of a space, at a scale: the first voxel, and the
@@ -213,8 +221,8 @@ void writeMeta(const PlacedImage& placed, vtkDataArray* values, Stream& stream)
     }
   }
   head += "\nOffset = " + exact(place.origin, ' ') +
-          "\nCenterOfRotation = 0 0 0\nAnatomicalOrientation = RAI\nElementSpacing = " +
-          exact(place.spacing, ' ') + "\nDimSize =";
+          "\nCenterOfRotation = 0 0 0\nElementSpacing = " + exact(place.spacing, ' ') +
+          "\nDimSize =";
   for (const int count : place.dimensions)
   {
     head += ' ' + std::to_string(count);
