@@ -242,6 +242,37 @@ TEST(Like, DirectionsMayHaveFourDigits)
   EXPECT_EQ(nrrd.err.find("qform"), std::string::npos) << nrrd;
 }
 
+TEST(Like, LabelsKeepTheirNamesWhereTheFormatHasAPlace)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("liver.off", asOff(sphere(1)));
+  const std::string other = folder.write("left kidney.off", asOff(sphere(1)));
+  const auto labels = [&](const std::string& name)
+  {
+    const Outcome run = runProgram(
+      {"labels", in, other, "-o", folder.path(name), "--resolution", "9", "--overlap", "first"});
+    EXPECT_EQ(run.status, 0) << run;
+    return run.err;
+  };
+  labels("a.nrrd");
+  const std::string nrrd = contentsOf(folder.path("a.nrrd"));
+  EXPECT_NE(nrrd.find("\nSegment0_ID:=Segment_1\nSegment0_Name:=liver\nSegment0_LabelValue:=1\n"),
+    std::string::npos);
+  EXPECT_NE(nrrd.find("\nSegment1_Name:=left kidney\n"), std::string::npos);
+  labels("a.mha");
+  EXPECT_NE(
+    contentsOf(folder.path("a.mha")).find("\nSegment1_Name = left kidney\n"), std::string::npos);
+  EXPECT_NE(labels("a.nii").find("a.nii: NIfTI has no place for the names"), std::string::npos);
+  // Both can be read again.
+  for (const std::string name : {"a.nrrd", "a.mha"})
+  {
+    EXPECT_EQ(runProgram({"voxels", in, "-o", folder.path("b.mha"), "--like", folder.path(name),
+                           "--overwrite"})
+                .status,
+      0);
+  }
+}
+
 TEST(Like, PiecesAndSurfacesLieOnIt)
 {
   const TemporaryFolder folder;

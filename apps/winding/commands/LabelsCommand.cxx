@@ -25,6 +25,8 @@
 #include "vtkWindingNumberLabels.h"
 #include "vtkWindingNumberVoxels.h"
 
+#include <algorithm>
+
 namespace
 {
 
@@ -76,6 +78,21 @@ void makeSurface(
   messages.throwIfError(options.input);
 }
 
+/// Warns where the output has no place for names of labels that say more than their numbers.
+void warnOfNames(const Json& labels, const Options& options, Messages& messages)
+{
+  const std::string suffix = suffixOf(options.output);
+  const bool haveNames = std::any_of(labels.begin(), labels.end(),
+    [](const Json& label) { return label["name"] != std::to_string(label["label"].get<int>()); });
+  if (haveNames && (suffix == ".nii" || suffix == ".nii.gz"))
+  {
+    messages.warn(
+      options.output +
+      ": NIfTI has no place for the names of the labels; give it the suffix .nrrd, .mha "
+      "or .vti, or take them from --json");
+  }
+}
+
 bool isImage(const std::string& suffix)
 {
   return suffix == ".vti" || isMedical(suffix);
@@ -93,7 +110,9 @@ void report(
                 {"inside_out", filter.GetNumberOfInsideOutSolids()}});
   if (image)
   {
-    run.report().add("labels", describeLabels(image, isWhole, options.cells));
+    const Json labels = describeLabels(image, isWhole, options.cells);
+    warnOfNames(labels, options, run.messages());
+    run.report().add("labels", labels);
   }
   run.printReport();
 }

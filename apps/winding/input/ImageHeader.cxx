@@ -21,8 +21,9 @@
 namespace
 {
 
-/// Headers as text may be long, for programs write notes of their own into them.
-constexpr std::size_t mostBytes = std::size_t(1) << 20;
+/// Headers as text may be long, for programs write notes of their own into them, and this one names
+/// of up to 65535 labels.
+constexpr std::size_t mostBytes = std::size_t(1) << 24;
 
 [[noreturn]] void refuse(const std::string& message)
 {

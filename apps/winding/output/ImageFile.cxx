@@ -8,9 +8,11 @@
 #include "program/Messages.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
+#include "vtkStringArray.h"
 #include "vtk_zlib.h"
 
 #include <algorithm>
@@ -88,6 +90,39 @@ Place placeIn(ImageSpace space, const PlacedImage& placed, double scale = 1)
     spacing = scale * (spacing == 0 ? 1 : std::abs(spacing)); // 0 of a single layer
   }
   return place;
+}
+
+/// Returns the text of a value behind a key in .nrrd, on one line.
+std::string escaped(const std::string& value)
+{
+  std::string text;
+  for (const char c : value)
+  {
+    text += c == '\\' ? "\\\\" : std::string(1, c);
+  }
+  return text;
+}
+
+/// Returns the names of labels by the keys that Slicer has in .nrrd, with a sign behind each key.
+/// Nothing for images without names.
+std::string namesOfLabels(vtkImageData* image, const std::string& sign)
+{
+  vtkDataArray* const values = image->GetFieldData()->GetArray("LabelValues");
+  auto* const names =
+    vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray("LabelNames"));
+  std::string lines;
+  for (vtkIdType i = 0; values && names && i < values->GetNumberOfTuples(); ++i)
+  {
+    const std::string key = "Segment" + std::to_string(i), label = exact(values->GetTuple1(i));
+    std::string name = names->GetValue(i);
+    std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return c < ' '; }, ' ');
+    lines += key + "_ID" + sign + "Segment_" + label + '\n';
+    lines += key + "_Name" + sign + (sign == ":=" ? escaped(name) : name) + '\n';
+    lines += key + "_LabelValue" + sign + label + '\n';
+    lines += key + "_Layer" + sign + "0\n";
+  }
+  return lines;
 }
 
 /// Packs bytes, as zlib does or, if `asGzip`, as gzip does.
@@ -227,7 +262,8 @@ void writeMeta(const PlacedImage& placed, vtkDataArray* values, Stream& stream)
   {
     head += ' ' + std::to_string(count);
   }
-  head += std::string("\nElementType = ") + typeOf(values).inMeta + "\nElementDataFile = LOCAL\n";
+  head += '\n' + namesOfLabels(placed.image, " = ") + "ElementType = " + typeOf(values).inMeta +
+          "\nElementDataFile = LOCAL\n";
   stream.write(head);
   const std::string size = std::to_string(writePacked(values, false, "", stream));
   stream.replace(placeOfSize, size);
@@ -253,7 +289,7 @@ void writeNrrd(const PlacedImage& placed, vtkDataArray* values, Stream& stream)
   }
   head += std::string("\nkinds: domain domain domain\nendian: ") +
           (isBigEndian ? "big" : "little") + "\nencoding: gzip\nspace origin: (" +
-          exact(place.origin, ',') + ")\n\n";
+          exact(place.origin, ',') + ")\n" + namesOfLabels(placed.image, ":=") + '\n';
   stream.write(head);
   writePacked(values, true, "", stream);
 }

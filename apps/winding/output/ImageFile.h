@@ -18,6 +18,9 @@ class OutputFile;
  * NIfTI keeps them in single precision (checkMedicalImage()), and `placed.unit` with them. In .mha
  * and .nrrd metres and micrometres become mm, the unit of ITK.
  *
+ * Names of labels (the field data LabelNames and LabelValues) go into .nrrd and .mha by the keys
+ * that Slicer has for segments. NIfTI has no place for them.
+ *
  * Leaves commit() to the caller. Throws Failure when the file cannot be written whole, when the
  * program is interrupted, and for images that a format cannot hold.
  */
