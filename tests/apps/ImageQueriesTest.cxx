@@ -318,9 +318,10 @@ TEST(ImageQueries, DamagedHeadersAreRefusedInOneLine)
   refuses("a.nrrd", nrrd.substr(4), "does not begin like NRRD");
   refuses("a.nrrd", with(nrrd, "(", "["), "no vectors");
   refuses("a.nrrd", with(nrrd, "(", "none ("), "more vectors in 'space directions' than axes");
-  refuses("a.nrrd", with(nrrd, "(", "(1,0,0,0,"), "vectors of 7 numbers");
+  refuses("a.nrrd", with(nrrd, "(", "(1,0,0,0,"), "7 numbers in 'space directions', not 3");
+  refuses("a.nrrd", with(asNrrd(""), "space dimension: 3", "space dimension: 2"), "3 numbers in");
   refuses("a.nrrd", asNrrd("LPS", "7 8 9 2", "(1,0,0) "), "more than 3 axes of space");
-  refuses("a.nrrd", asNrrd("LPS", "7 8 9 2", "(1,0,0,1) "), "space and time are mixed");
+  refuses("a.nrrd", asNrrd("LPST", "7 8 9 2", "(1,0,0,1) "), "space and time are mixed");
   refuses("a.nrrd", asNrrd("LPS", "7 8 9 2", "none none "), "more vectors");
   refuses("a.nrrd", with(nrrd, "dimension: 3", "dimension: 4"), "not 4");
   refuses("a.nrrd", with(nrrd, "sizes: 7 8 9\n", ""), "no 'sizes'");

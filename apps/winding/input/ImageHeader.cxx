@@ -260,8 +260,24 @@ ImagePlace metaImage(const std::string& head)
   return place;
 }
 
-/// Reads a vector as "(1,0,0)", of two to four numbers; nothing where there is "none".
-std::optional<std::vector<double>> vectorOf(std::string_view& text, const std::string& key)
+/// Returns how many numbers the vectors of a NRRD have; 0 where it does not say.
+std::size_t lengthOfVectors(const Fields& fields)
+{
+  if (const auto* text = findAny(fields, {"spacedimension"}))
+  {
+    return static_cast<std::size_t>(sizeOf(numberOf(*text, "space dimension"), "space dimension"));
+  }
+  const auto* const space = findAny(fields, {"space"});
+  const std::string name = space ? inSmallLetters(*space) : "";
+  const bool hasTime =
+    name.size() >= 4 && (name.size() == 4 || name.substr(name.size() - 4) == "time");
+  return !space ? 0 : hasTime ? 4 : 3;
+}
+
+/// Reads a vector as "(1,0,0)", of `length` numbers, or two to four if that is 0; nothing where
+/// there is "none".
+std::optional<std::vector<double>> vectorOf(
+  std::string_view& text, const std::string& key, std::size_t length)
 {
   text = trimmed(text);
   if (text.substr(0, 4) == "none")
@@ -277,7 +293,7 @@ std::optional<std::vector<double>> vectorOf(std::string_view& text, const std::s
   std::string words(text.substr(1, end - 1));
   const auto count = static_cast<std::size_t>(1 + std::count(words.begin(), words.end(), ','));
   std::replace(words.begin(), words.end(), ',', ' ');
-  std::vector<double> numbers = numbersOf(words, key, count);
+  std::vector<double> numbers = numbersOf(words, key, length > 0 ? length : count);
   if (count < 2 || count > 4)
   {
     refuse("its header has vectors of " + std::to_string(count) + " numbers in '" + key + "'");
@@ -365,13 +381,13 @@ struct Ends
 /// Reads the directions of the axes of space. Others have none, or go along time alone. Returns the
 /// number of axes.
 std::size_t addDirections(
-  const std::string& text, const std::vector<double>& sizes, const Ends& ends, ImagePlace& place)
+  const Fields& fields, const std::vector<double>& sizes, const Ends& ends, ImagePlace& place)
 {
   std::size_t axis = 0;
-  std::string_view rest = text;
+  std::string_view rest = fields.at("spacedirections");
   for (std::size_t n = 0; n < sizes.size(); ++n)
   {
-    const auto vector = vectorOf(rest, "space directions");
+    const auto vector = vectorOf(rest, "space directions", lengthOfVectors(fields));
     if (!vector)
     {
       continue;
@@ -439,10 +455,10 @@ void addAxes(const Fields& fields, const std::vector<double>& sizes, ImagePlace&
   const Ends ends = {numbersOfAxes(fields, "spacings", sizes.size()),
     numbersOfAxes(fields, "axis mins", sizes.size()),
     numbersOfAxes(fields, "axis maxs", sizes.size()), endsAreSamples(fields, sizes.size())};
-  const std::string* const directions = findAny(fields, {"spacedirections"});
   const std::string* const origin = findAny(fields, {"spaceorigin"});
-  const std::size_t axes = directions ? addDirections(*directions, sizes, ends, place)
-                                      : addStraightAxes(fields, sizes, ends, place);
+  const std::size_t axes = findAny(fields, {"spacedirections"})
+                             ? addDirections(fields, sizes, ends, place)
+                             : addStraightAxes(fields, sizes, ends, place);
   if (axes < 2)
   {
     refuse("its header has fewer than 2 axes of space");
@@ -454,7 +470,7 @@ void addAxes(const Fields& fields, const std::vector<double>& sizes, ImagePlace&
       refuse("its header has 'space origin' and 'axis mins'");
     }
     std::string_view rest = *origin;
-    if (const auto vector = vectorOf(rest, "space origin"))
+    if (const auto vector = vectorOf(rest, "space origin", lengthOfVectors(fields)))
     {
       std::copy_n(vector->begin(), std::min<std::size_t>(vector->size(), 3), place.origin.begin());
     }
@@ -474,7 +490,6 @@ ImagePlace nrrdImage(const std::string& head)
     refuse("its header has no 'sizes'");
   }
   ImagePlace place;
-  addAxes(fields, numbersOf(*sizes, "sizes", axesOf(fields, "dimension")), place);
   place.space = ImageSpace::lps; // as in ITK where none is named
   place.unit = LengthUnit::millimetre;
   if (const auto* name = findAny(fields, {"space"}))
@@ -487,6 +502,7 @@ ImagePlace nrrdImage(const std::string& head)
     }
     place.space = *space;
   }
+  addAxes(fields, numbersOf(*sizes, "sizes", axesOf(fields, "dimension")), place);
   return place;
 }
 
