@@ -131,7 +131,7 @@ void vtkWindingNumberImageAlgorithm::CheckLike(vtkImageData* image) const
 void vtkWindingNumberImageAlgorithm::LayOnLike()
 {
   const winding::ImageGrid image =
-    winding::requiredGridOf(this->Like, this->OutputAssociation == CELLS);
+    winding::requiredGridOf(this->Like, this->OutputAssociation == CELLS, this->Coverage != CENTER);
   *this->Frame = image.frame;
   this->LayGrid(image.grid);
 }

@@ -39,7 +39,7 @@ def evaluate(field, data, kinds, sides, *, at_cells=False, coverage=0, band=0, s
     grid, frame = None, None
     if isinstance(data, pv.ImageData):
         skew = {"skew": _parts.MOST_SKEW_TO_LIE_ON} if coverage or band else {}
-        grid, frame = _parts.grid_of_image(data, at_cells, **skew)
+        grid, frame = _parts.grid_of_image(data, at_cells, are_voxels=bool(coverage), **skew)
     if grid is not None:
         return on_grid(field if frame is None else field.framed(frame), grid, kinds, sides,
                        coverage, band, show)

@@ -82,10 +82,12 @@ def has_right_angles(image, skew=MOST_SKEW_TO_LIE_ON):
     return bool((np.abs(axes.T @ axes - np.eye(3)) <= skew).all())
 
 
-def grid_of_image(image, at_cells, skew=_MOST_SKEW):
+def grid_of_image(image, at_cells, skew=_MOST_SKEW, are_voxels=False):
     """The grid of the library that the points of an image are, or the centres of its cells, and its
     Frame, which is None where the coordinates of space are the image's. The grid is None for images
-    with axes that are not at right angles up to `skew`, that are empty or that have blank parts."""
+    with axes that are not at right angles up to `skew`, that are empty or that have blank parts.
+    A single layer of samples has the spacing of the image across it where `are_voxels`, and as
+    points the widest one in it."""
     if (image.GetNumberOfPoints() == 0 or image.HasAnyBlankPoints() or image.HasAnyBlankCells()
             or not has_right_angles(image, skew)):
         return None, None
@@ -98,9 +100,9 @@ def grid_of_image(image, at_cells, skew=_MOST_SKEW):
     if at_cells:
         first = np.where(counts > 1, first + 0.5 * steps, first)
         counts = np.maximum(counts - 1, 1)
-    # A single layer may have no spacing across. Where it has one, that is how thick its voxels are.
+    # A layer of points has no thickness, and one of voxels may have none.
     widest = max((step for step, count in zip(steps, counts) if count > 1), default=0)
-    steps = np.where((counts == 1) & ~(steps > 0), widest if widest > 0 else 1, steps)
+    steps = np.where((counts == 1) & ~(are_voxels & (steps > 0)), widest if widest > 0 else 1, steps)
     if not (np.isfinite(first).all() and np.isfinite(steps).all() and (steps > 0).all()):
         return None, None
     return _library.Grid(tuple(first), tuple(steps), tuple(int(count) for count in counts)), frame

@@ -236,6 +236,13 @@ TEST_F(Like, ASliceIsAsThickAsItsSpacing)
   // The ball fills at most a quarter of the layer.
   const double most = field->GetOutput()->GetPointData()->GetArray("Coverage")->GetRange()[1];
   EXPECT_NEAR(most, 0.25, 0.03);
+  // As points the slice has no thickness, and the source is not said to be thinner than voxels.
+  const ErrorLog log(field);
+  field->SetCoverage(vtkWindingNumberField::CENTER);
+  slice->SetOrigin(-0.5, -0.5, 0.1);
+  slice->SetSpacing(0.05, 0.05, 2);
+  EXPECT_GT(insideOf(slice), 0);
+  EXPECT_EQ(log.warnings(), "");
 }
 
 TEST_F(Like, LabelsLieOnTheVeryImage)

@@ -281,7 +281,8 @@ class ImageAlgorithm(GridAlgorithm):
             raise WindingError("the image's axes are not at right angles: resample it first, or "
                                "probe it instead (Winding Number Probe)")
         self.grid, self.frame = grid_of_image(
-            self.like, self.values["OutputAssociation"] == 1, MOST_SKEW_TO_LIE_ON)
+            self.like, self.values["OutputAssociation"] == 1, MOST_SKEW_TO_LIE_ON,
+            self.value("Coverage") != CENTER)
         if self.grid is None:
             raise WindingError("the image to lie on has no spacing: give another (Like)")
 

@@ -5,6 +5,8 @@
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 
+#include <cmath>
+
 namespace winding
 {
 
@@ -26,8 +28,8 @@ Eigen::Matrix3d axesOf(vtkImageData* image)
   return axes;
 }
 
-/// Lays a grid on an image that has samples and right angles.
-ImageGrid layOn(vtkImageData* image, bool atCells)
+/// Lays a grid on an image that has samples and right angles, as requiredGridOf() says.
+ImageGrid layOn(vtkImageData* image, bool atCells, bool areVoxels)
 {
   ImageGrid result;
   Eigen::Vector3d start(image->GetOrigin());
@@ -50,10 +52,11 @@ ImageGrid layOn(vtkImageData* image, bool atCells)
       --grid.dimensions[axis];
     }
   }
-  // A single layer may have no spacing across. Where it has one, that is how thick its voxels are.
+  // A layer of points has no thickness, and one of voxels may have none.
   const Eigen::Array<bool, 3, 1> isLayer = grid.dimensions.array() == 1;
   const double widest = isLayer.select(0, grid.spacing).maxCoeff();
-  const Eigen::Array<bool, 3, 1> isThin = isLayer && !(grid.spacing.array() > 0);
+  const double none = areVoxels ? 0 : HUGE_VAL;
+  const Eigen::Array<bool, 3, 1> isThin = isLayer && !(grid.spacing.array() > none);
   grid.spacing = isThin.select(widest > 0 ? widest : 1, grid.spacing);
   return result;
 }
@@ -67,7 +70,7 @@ bool hasRightAngles(vtkImageData* image, double skew)
   return (products.array().abs() <= skew).all(); // and none is NaN
 }
 
-ImageGrid requiredGridOf(vtkImageData* image, bool atCells)
+ImageGrid requiredGridOf(vtkImageData* image, bool atCells, bool areVoxels)
 {
   if (image->GetNumberOfPoints() == 0)
   {
@@ -79,7 +82,7 @@ ImageGrid requiredGridOf(vtkImageData* image, bool atCells)
     throw Refusal(Message("the image's axes are not at right angles",
       {{"resample it first", {}}, {"probe it instead", {Parameter::probe}}}));
   }
-  const ImageGrid result = layOn(image, atCells);
+  const ImageGrid result = layOn(image, atCells, areVoxels);
   checkGrid(result.grid);
   return result;
 }
@@ -91,7 +94,7 @@ std::optional<ImageGrid> gridOfImage(vtkDataSet* data, bool atCells)
   {
     return std::nullopt;
   }
-  const ImageGrid result = layOn(image, atCells);
+  const ImageGrid result = layOn(image, atCells, false);
   try
   {
     checkGrid(result.grid);

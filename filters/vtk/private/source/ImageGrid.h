@@ -38,8 +38,9 @@ bool hasRightAngles(vtkImageData* image, double skew);
 /// Where VTK adds up a point in another order, it differs by a rounding.
 std::optional<ImageGrid> gridOfImage(vtkDataSet* data, bool atCells);
 
-/// The same for an image that a grid is to lie on, up to mostSkewToLieOn. Throws Refusal where
-/// there is no grid, with the reason.
-ImageGrid requiredGridOf(vtkImageData* image, bool atCells);
+/// The same for an image that a grid is to lie on, up to mostSkewToLieOn. A single layer of samples
+/// has the spacing of the image across it where `areVoxels`, and as points the widest one in it.
+/// Throws Refusal where there is no grid, with the reason.
+ImageGrid requiredGridOf(vtkImageData* image, bool atCells, bool areVoxels);
 
 } // namespace winding
