@@ -236,7 +236,7 @@ TEST_F(Like, ASliceIsAsThickAsItsSpacing)
   // The ball fills at most a quarter of the layer.
   const double most = field->GetOutput()->GetPointData()->GetArray("Coverage")->GetRange()[1];
   EXPECT_NEAR(most, 0.25, 0.03);
-  // As points the slice has no thickness, and the source is not said to be thinner than voxels.
+  // A slice of points has no thickness, and no warning says that the source is too thin.
   const ErrorLog log(field);
   field->SetCoverage(vtkWindingNumberField::CENTER);
   slice->SetOrigin(-0.5, -0.5, 0.1);
