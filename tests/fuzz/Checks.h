@@ -31,6 +31,9 @@ std::string checkCoverage(Choices& choices);
 /// Orientation of faces: OrientationCheck.cxx.
 std::string checkOrientation(Choices& choices);
 
+/// Mirrors, bases and welding of surfaces: CompletionCheck.cxx.
+std::string checkCompletion(Choices& choices);
+
 /// Level roots and edges of grids: LevelCheck.cxx.
 std::string checkLevel(Choices& choices);
 
@@ -60,9 +63,9 @@ std::string worstTime();
 inline std::vector<NamedCheck> allChecks()
 {
   return {{"surface_field", checkSurfaceField}, {"cloud_field", checkCloudField},
-    {"coverage", checkCoverage}, {"orientation", checkOrientation}, {"level", checkLevel},
-    {"voxel_trees", checkVoxelTrees}, {"sharp", checkSharp}, {"lattice", checkLattice},
-    {"library", checkLibrary}};
+    {"coverage", checkCoverage}, {"orientation", checkOrientation}, {"completion", checkCompletion},
+    {"level", checkLevel}, {"voxel_trees", checkVoxelTrees}, {"sharp", checkSharp},
+    {"lattice", checkLattice}, {"library", checkLibrary}};
 }
 
 } // namespace fuzz
