@@ -117,5 +117,5 @@ std::string inputSuffixes()
 
 std::string imageSuffixes()
 {
-  return suffixesWhere(false) + ".mha .nrrd .nii .nii.gz";
+  return suffixesWhere(false) + ".mha .mhd .nrrd .nhdr .nii .nii.gz";
 }
