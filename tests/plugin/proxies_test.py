@@ -234,6 +234,7 @@ RANGES = {
     "LongestExpectedTime": (0, None),
     "Resolution": (1, None),
     "VoxelSize": (0, None),
+    "WeldTolerance": (0, None),
     "SamplingDimensions": (0, None),
     "Padding": (0, 1),
     "VerifySamples": (0, None),

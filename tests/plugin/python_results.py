@@ -155,9 +155,8 @@ def of_source(name, mesh, is_cloud):
         completion = {"Mirror": "y=0.05", "FlatBase": "down", "WeldTolerance": 0.01}
         note(f"{name} completed", simple.WindingNumberSurface(**grid, **completion))
         note(f"{name} completed report", simple.SurfaceReport(Input=mesh, **completion))
-        note(f"{name} divided", simple.WindingNumberLabels(
-            Input=mesh, Resolution=24, SheetSide="-z", WeldTolerance=0.01,
-            OverlapRule="Smallest Volume"))
+        note(f"{name} divided", simple.WindingNumberField(
+            **grid, SheetSide="-z", WeldTolerance=0.01))
         note(f"{name} turned", simple.SurfaceReport(Input=mesh, FixOrientation=1, FaultThickness=0))
         note(f"{name} as points", simple.WindingNumberField(
             **grid, InputAsPoints=1, PointAreaMethod="Mesh", Regularization=1))
@@ -198,6 +197,14 @@ def of_solids(name, source, **properties):
         Input=source, Like=turned_image(4), OutputAssociation="Cells", **properties))
 
 
+def of_layers():
+    sheets = [simple.Plane(Origin=[-2, -2, z], Point1=[2, -2, z], Point2=[-2, 2, z],
+                           XResolution=6, YResolution=6) for z in (0.3, -0.4, 0)]
+    note("layers", simple.WindingNumberLabels(
+        Input=sheets, SheetSide="down", OverlapRule="Smallest Volume", UseInputBounds=0,
+        SamplingBounds=[-1, 1, -1, 1, -1, 1], Resolution=20))
+
+
 def run(folder):
     simple.LoadPlugin(os.environ["WINDING_PLUGIN"], remote=False)
     vtkObject.GlobalWarningDisplayOn()
@@ -213,6 +220,7 @@ def run(folder):
     assert found[found["active"]] == facts["whole"]["outputs"][0]["points"]["WindingNumber"]
     balls = [simple.Sphere(Center=(x, 0, 0), Radius=r, ThetaResolution=24, PhiResolution=24)
              for x, r in ((0, 1), (0.8, 1), (0, 0.4))]
+    of_layers()
     of_solids("inputs", balls)
     names = simple.ProgrammableFilter(Input=simple.AppendGeometry(Input=balls), Script=NAMES)
     of_solids("names", names)
