@@ -8,6 +8,7 @@
 #include "program/Failure.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCellType.h"
 #include "vtkCommand.h"
 #include "vtkErrorCode.h"
 #include "vtkNew.h"
@@ -15,6 +16,9 @@
 #include "vtkOutputWindow.h"
 #include "vtkPointSet.h"
 #include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -183,6 +187,23 @@ void checkKind(vtkDataObject* data, const std::string& fileName)
     });
 }
 
+/// Drops faces of a grid without polyhedra. VTK 9.1 allocates the cells of a .pvtu with types that
+/// are not set yet, which now and then look like polyhedra.
+void dropStrayFaces(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
+  vtkUnsignedCharArray* const types = grid ? grid->GetCellTypesArray() : nullptr;
+  if (types && grid->GetFaces() &&
+      std::none_of(types->GetPointer(0), types->GetPointer(0) + types->GetNumberOfValues(),
+        [](unsigned char type) { return type == VTK_POLYHEDRON; }))
+  {
+    grid->SetCells(types, grid->GetCells());
+  }
+#else
+  (void)grid;
+#endif
+}
+
 vtkSmartPointer<vtkDataObject> read(
   const std::string& fileName, const VtkFormat& format, ByteSink& sink)
 {
@@ -197,6 +218,7 @@ vtkSmartPointer<vtkDataObject> read(
         vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
   }
   vtkSmartPointer<vtkDataObject> data = reader->GetOutputDataObject(0);
+  dropStrayFaces(vtkUnstructuredGrid::SafeDownCast(data));
   if (format.isSource)
   {
     checkKind(data, fileName);
