@@ -259,6 +259,7 @@ FieldOptions optionsOf(const winding_options* options)
   result.normalEstimation = static_cast<NormalEstimation>(wished.normal_estimation);
   result.toward = wished.toward ? wished.toward : "";
   result.mirror = wished.mirror ? wished.mirror : "";
+  result.weldTolerance = toleranceOf(options);
   result.flatBase = wished.flat_base ? wished.flat_base : "";
   result.sheetSide = wished.sheet_side ? wished.sheet_side : "";
   result.orientFaces = wished.orient_faces != 0;

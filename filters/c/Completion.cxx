@@ -44,9 +44,11 @@ winding_status winding_complete(winding_array points, const winding_polygons* po
       giveHandle(*mesh,
         [&](winding_mesh& made)
         {
-          const winding::Surface surface = winding::completedSurface(triangles.views(),
-            winding::Mirror(wished.mirror), winding::FlatBase(wished.flatBase), call.executor)
-                                             .surface;
+          const winding::CompletedSurface completed = winding::completedSurface(triangles.views(),
+            winding::Mirror(wished.mirror, wished.weldTolerance),
+            winding::FlatBase(wished.flatBase), call.executor);
+          call.warn(completed.notes);
+          const winding::Surface& surface = completed.surface;
           made.offsets.push_back(0);
           for (const winding::Triangle& t : surface.triangles)
           {

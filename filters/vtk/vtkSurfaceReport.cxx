@@ -132,6 +132,7 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, wi
   winding::FieldOptions completion;
   completion.mirror = winding::textOf(this->Mirror);
   completion.flatBase = winding::textOf(this->FlatBase);
+  completion.weldTolerance = this->WeldTolerance;
   winding::Mirror{completion.mirror};
   winding::FlatBase{completion.flatBase};
   winding::SmpExecutor executor(this, 0);

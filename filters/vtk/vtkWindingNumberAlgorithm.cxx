@@ -110,9 +110,9 @@ static_assert(isNumber(winding::SourceDistribution::replicated, Filter::REPLICAT
 } // namespace
 
 vtkWindingNumberAlgorithm::vtkWindingNumberAlgorithm()
-  : Controller(vtkMultiProcessController::GetGlobalController())
+  : Frame(std::make_unique<winding::ImageFrame>())
+  , Controller(vtkMultiProcessController::GetGlobalController())
   , Ranks(std::make_unique<winding::Ranks>(nullptr))
-  , Frame(std::make_unique<winding::ImageFrame>())
   , Source(std::make_unique<winding::SourceField>())
 {
   this->SetAreaArray("Area");

@@ -159,6 +159,12 @@ void checkFieldOptions(const Options& options, const WasGiven& wasGiven)
 
 void checkCheck(const Options& options, const WasGiven& wasGiven)
 {
+  for (const char* const option : {"--mirror", "--flat-base"})
+  {
+    requireUsage(!options.fixOrientation || !wasGiven(option),
+      std::string(option) +
+        " adds faces, and --fix-orientation turns faces of the file; leave one out");
+  }
   if (wasGiven("--output"))
   {
     checkOutput(options.output, options.command, surfaceSuffixes);

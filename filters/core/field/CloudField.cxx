@@ -29,7 +29,17 @@ CloudField::CloudField(
       Message(std::string(nameOf(options.method)) + " needs triangles, not a point cloud",
         {{"", {{Parameter::method, static_cast<int>(Method::automatic)}}}}));
   }
-  Mirror(options.mirror).addTo(cloud_);
+  const Mirror mirror(options.mirror, options.weldTolerance);
+  const bool lacksNormals = cloud_.normals.size() < cloud_.positions.size();
+  if (lacksNormals && options.estimateNormals && !options.toward.empty() && !mirror.isNone())
+  {
+    // Viewpoints are of the half that was seen, and so are normals.
+    const std::vector<double> given = cloud_.areas;
+    giveOutwardNormals(cloud_, options.normalEstimation, Viewpoints(options.toward),
+      {options.pointAreaMethod, options.pointArea, options.neighbors}, executor);
+    cloud_.areas = given;
+  }
+  mirror.addTo(cloud_);
   info_.isSurface = false;
   info_.inputPrimitives = cloud_.inputPoints;
   info_.primitives = cloud_.positions.size();

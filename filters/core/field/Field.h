@@ -82,6 +82,9 @@ struct FieldOptions
   std::string flatBase;
   /// The direction of the side of open sheets that is inside (SheetSide.h). Empty: none.
   std::string sheetSide;
+  /// The distance up to which the caller has welded points (SnappedPoints.h), which is the reach of
+  /// the planes of symmetry, too.
+  double weldTolerance = 0;
   /// Whether scattered samples will be asked for rather than grids: methods that share work along
   /// the rows of a grid are no use then.
   bool scattered = false;
@@ -93,7 +96,8 @@ struct FieldOptions
            toward == other.toward && pointAreaMethod == other.pointAreaMethod &&
            neighbors == other.neighbors && regularization == other.regularization &&
            orientFaces == other.orientFaces && ignoreOpenParts == other.ignoreOpenParts &&
-           mirror == other.mirror && flatBase == other.flatBase && sheetSide == other.sheetSide &&
+           mirror == other.mirror && weldTolerance == other.weldTolerance &&
+           flatBase == other.flatBase && sheetSide == other.sheetSide &&
            scattered == other.scattered;
   }
 };
@@ -101,8 +105,8 @@ struct FieldOptions
 /// Returns options whose texts are about space for a source in other coordinates: those that begin
 /// at `origin`, along axes at right angles with this inverse. Throws Refusal for texts that are not
 /// right.
-FieldOptions optionsAlong(const FieldOptions& options, const Eigen::Matrix3d& inverseAxes,
-  const Eigen::Vector3d& origin);
+FieldOptions optionsAlong(
+  const FieldOptions& options, const Eigen::Matrix3d& inverseAxes, const Eigen::Vector3d& origin);
 
 /// The make-up of a field and the way it will be evaluated: for reports, not for computing.
 struct FieldInfo

@@ -1,5 +1,6 @@
 #include "field/SurfaceField.h"
 
+#include "base/Refusal.h"
 #include "distance/DistanceTree.h"
 #include "distance/PrimitivesNear.h"
 #include "farfield/FarFieldChoice.h"
@@ -101,11 +102,15 @@ SurfaceField::~SurfaceField() = default;
 void SurfaceField::complete(
   const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)
 {
-  const Mirror mirror(options.mirror);
+  const Mirror mirror(options.mirror, options.weldTolerance);
   const FlatBase base(options.flatBase);
   const Eigen::Vector3d side = sheetSideIn(options.sheetSide);
   PolygonParts parts =
     options.orientFaces || !side.isZero() ? polygonPartsOf(views) : PolygonParts();
+  if (mirror.cuts(surface_.vertices, surface_.bounds))
+  {
+    info_.warnings.push_back(cutByMirror());
+  }
   mirror.addTo(surface_, parts);
   const auto orientNow = [&]
   {
@@ -128,12 +133,8 @@ void SurfaceField::complete(
     {
       orientNow(); // the base decides where the outside is
     }
-    if (openings.closed == 0)
-    {
-      Message message(Parameter::flatBase, "closes nothing: no opening faces it");
-      message.facts = std::to_string(openings.left) + " openings do not";
-      info_.warnings.push_back(std::move(message));
-    }
+    const std::vector<Message> notes = notesOn(openings);
+    info_.warnings.insert(info_.warnings.end(), notes.begin(), notes.end());
   }
   if (!side.isZero())
   {
@@ -141,6 +142,22 @@ void SurfaceField::complete(
     constexpr double ofHalfSphere = 0.5;
     info_.added = sheets.count > 0 ? ofHalfSphere : 0;
     info_.sheetHeight = sheets.height;
+    if (sheets.count > 0 && options.method == Method::parity)
+    {
+      throw Refusal(Message("rays find no sides of sheets",
+        {{"", {{Parameter::method, static_cast<int>(Method::automatic)}}}}));
+    }
+    if (sheets.areStacked)
+    {
+      info_.warnings.emplace_back("sheets lie over each other, and add up",
+        std::vector<Remedy>{{"give each alone, or all as solids of labels", {}}});
+    }
+    if (sheets.unclear > 0)
+    {
+      Message message(Parameter::sheetSide, "lies along the sheet");
+      message.remedies = {{"choose a side that it faces", {}}};
+      info_.warnings.push_back(std::move(message));
+    }
     if (sheets.count == 0)
     {
       info_.warnings.emplace_back(Message(Parameter::sheetSide, "has no use: no part is open"));

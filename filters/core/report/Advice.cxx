@@ -73,7 +73,13 @@ Message slitAdviceOn(const SurfaceReport& report)
       "; winding numbers are between integers only next to these");
   if (report.canBeWelded())
   {
-    advice.remedies.push_back({"weld them", {Parameter::weldTolerance}});
+    // Rounded up, so that points at exactly that distance are welded, too.
+    const double farthest =
+      *std::max_element(report.slits.endDistances.begin(), report.slits.endDistances.end());
+    char tolerance[32];
+    std::snprintf(tolerance, sizeof tolerance, "%.2g", 1.1 * farthest);
+    advice.remedies.push_back({"weld points up to " + std::string(tolerance) + " from each other",
+      {Parameter::weldTolerance}});
   }
   else
   {

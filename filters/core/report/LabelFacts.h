@@ -83,7 +83,8 @@ struct LabelFacts
     {
       empty.add(name);
     }
-    else if (info.isSurface && info.netBoundaryEdges > 0)
+    else if (info.isSurface && info.netBoundaryEdges > 0 &&
+             info.added == 0) // sheets are to be open
     {
       (isOpenPart ? openParts : open).add(name);
     }

@@ -18,7 +18,9 @@ namespace
 [[noreturn]] void refuse(Parameter subject, const std::string& what)
 {
   Message message(subject, "is no " + what);
-  message.remedies = {{"give a plane as y=0, or as A B C=D for Ax + By + Cz = D", {}}};
+  message.remedies = {{(what == "plane" ? "give a plane" : "give down, up, +x to -z or a plane") +
+                         std::string(" as y=0, or as A B C=D for Ax + By + Cz = D"),
+    {}}};
   throw Refusal(std::move(message));
 }
 

@@ -19,13 +19,14 @@ namespace winding
 namespace
 {
 
-/// The places that have stayed, in cells as large as the tolerance.
+/// The places that have stayed, in cells as large as the tolerance or larger.
 class StayedPlaces
 {
 public:
   StayedPlaces(const std::vector<Eigen::Vector3d>& positions, double tolerance)
     : positions_(positions)
     , tolerance_(tolerance)
+    , side_(std::max(tolerance, leastSide))
   {
   }
 
@@ -34,8 +35,8 @@ public:
   std::uint32_t nearestOrSelf(std::uint32_t place)
   {
     const Eigen::Vector3d& position = positions_[place];
-    const Cell own = {std::floor(position[0] / tolerance_), std::floor(position[1] / tolerance_),
-      std::floor(position[2] / tolerance_)};
+    const Cell own = {std::floor(position[0] / side_), std::floor(position[1] / side_),
+      std::floor(position[2] / side_)};
     std::uint32_t nearest = place;
     double least = tolerance_;
     for (int n = 0; n < 27; ++n)
@@ -77,7 +78,11 @@ private:
   };
 
   const std::vector<Eigen::Vector3d>& positions_;
+  /// Numbers of smaller cells of scaled positions, which are about 1, would not be exact.
+  static constexpr double leastSide = 1e-15;
+
   double tolerance_;
+  double side_; ///< of a cell
   std::unordered_multimap<Cell, std::uint32_t, Hash> places_;
 };
 

@@ -18,9 +18,17 @@ TrianglesView CompletedSurface::view() const
 CompletedSurface completedSurface(const std::vector<TrianglesView>& views, const Mirror& mirror,
   const FlatBase& base, Executor& executor)
 {
-  CompletedSurface result{sanitize(views, executor), polygonPartsOf(views)};
+  CompletedSurface result{sanitize(views, executor), polygonPartsOf(views), {}};
+  if (mirror.cuts(result.surface.vertices, result.surface.bounds))
+  {
+    result.notes.push_back(cutByMirror());
+  }
   mirror.addTo(result.surface, result.parts);
-  base.addTo(result.surface, executor);
+  if (!base.isNone())
+  {
+    const std::vector<Message> notes = notesOn(base.addTo(result.surface, executor));
+    result.notes.insert(result.notes.end(), notes.begin(), notes.end());
+  }
   result.parts.resize(result.parts.empty() ? 0 : result.surface.triangles.size(), 0);
   return result;
 }

@@ -16,6 +16,7 @@ struct CompletedSurface
 {
   Surface surface;
   PolygonParts parts;
+  std::vector<Message> notes; ///< on what the mirror and the base did
 
   /// A view of it, which is valid as long as this object stays where it is.
   TrianglesView view() const;

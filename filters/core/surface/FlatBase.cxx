@@ -6,6 +6,8 @@
 #include "source/UnitScale.h"
 #include "surface/Boundary.h"
 #include "surface/BoundaryLoops.h"
+#include "surface/Cap.h"
+#include "surface/Openings.h"
 #include "surface/PlaneCap.h"
 
 #include <Eigen/Geometry>
@@ -36,10 +38,14 @@ Eigen::Vector3d areaOfLid(const BoundaryLoop& rim, const Surface& surface, doubl
   return sum;
 }
 
-/// Returns by rim whether the base closes it.
-std::vector<char> rimsToClose(const BoundaryLoops& rims, const Surface& surface, const Plane& base)
+constexpr double shareOfBounds = 1e-6; ///< of distances from the base that do not count
+
+/// Returns by rim whether the base closes it. Faces look outward where `side` is 1, inward where it
+/// is −1, and either way where it is 0.
+std::vector<char> rimsToClose(
+  const BoundaryLoops& rims, const Surface& surface, const Plane& base, int side)
 {
-  constexpr double leastCosine = 0.5, leastShare = 0.1, shareOfBounds = 1e-6;
+  constexpr double leastCosine = 0.5, leastShare = 0.1;
   const double reach = shareOfBounds * surface.bounds.sizes().maxCoeff();
   const double scale = unitScale(surface.bounds);
   std::vector<Eigen::Vector3d> areas;
@@ -53,7 +59,7 @@ std::vector<char> rimsToClose(const BoundaryLoops& rims, const Surface& surface,
   std::vector<char> isClosed;
   for (std::size_t i = 0; i < rims.size(); ++i)
   {
-    const double along = areas[i].dot(base.normal) * (most < 0 ? -1 : 1);
+    const double along = areas[i].dot(base.normal) * (side != 0 ? side : most < 0 ? -1 : 1);
     const bool facesBase =
       along > 0 && along >= leastCosine * areas[i].norm() && along >= leastShare * std::abs(most);
     const bool isInBase = std::all_of(rims[i].begin(), rims[i].end(),
@@ -65,6 +71,29 @@ std::vector<char> rimsToClose(const BoundaryLoops& rims, const Surface& surface,
 }
 
 } // namespace
+
+std::vector<Message> notesOn(const BasedOpenings& openings)
+{
+  std::vector<Message> notes;
+  const std::string left =
+    std::to_string(openings.left) + (openings.left == 1 ? " opening" : " openings");
+  if (openings.closed == 0)
+  {
+    notes.emplace_back(Message(Parameter::flatBase, "closes nothing: no opening faces it"));
+    notes.back().facts = openings.left == 0 ? "the surface has none" : left + " do not";
+  }
+  else if (openings.left > 0)
+  {
+    notes.emplace_back(Message(Parameter::flatBase, "leaves " + left + " as they are"));
+    notes.back().facts = "these face another side, or are small";
+  }
+  if (openings.closed > 0 && openings.cutsSurface)
+  {
+    notes.emplace_back(Message(Parameter::flatBase, "cuts the surface"));
+    notes.back().remedies = {{"choose a plane that all of it lies on one side of", {}}};
+  }
+  return notes;
+}
 
 FlatBase::FlatBase(const std::string& text)
   : direction_(directionIn(text))
@@ -127,10 +156,14 @@ BasedOpenings FlatBase::addTo(Surface& surface, Executor& executor) const
   {
     return found;
   }
-  const BoundaryLoops rims =
-    boundaryLoops(boundaryChain(surface, executor).edges, surface.vertices.size(), executor);
+  const BoundaryEdges chain = boundaryChain(surface, executor).edges;
+  const BoundaryLoops rims = boundaryLoops(chain, surface.vertices.size(), executor);
   const Plane base = this->planeBelow(surface.vertices);
-  const std::vector<char> isClosed = rimsToClose(rims, surface, base);
+  const std::vector<char> isClosed =
+    rimsToClose(rims, surface, base, sideBehindLids(chain, surface));
+  const double reach = shareOfBounds * surface.bounds.sizes().maxCoeff();
+  found.cutsSurface = std::any_of(surface.vertices.begin(), surface.vertices.end(),
+    [&](const Eigen::Vector3d& vertex) { return base.height(vertex) > reach; });
   const auto isLess = [](const Eigen::Vector3d& p, const Eigen::Vector3d& q)
   {
     return compareCoordinates(p, q) < 0;
@@ -180,7 +213,23 @@ BasedOpenings FlatBase::addTo(Surface& surface, Executor& executor) const
     }
     std::reverse(sole.begin(), sole.end());
   }
-  for (const Triangle& t : planeCapOf(soles, surface.vertices, base.normal))
+  // Polygons take O(n²) time. Beyond a second any cap must do, which may cover more than they do.
+  constexpr std::size_t mostCorners = 20'000;
+  std::size_t corners = 0;
+  TriangleList cap;
+  for (const std::vector<std::int32_t>& sole : soles)
+  {
+    corners += sole.size();
+    for (const Triangle& t : capOf(BoundaryLoop(sole.data(), sole.data() + sole.size())))
+    {
+      cap.push_back({t[0], t[2], t[1]});
+    }
+  }
+  if (corners <= mostCorners)
+  {
+    cap = planeCapOf(soles, surface.vertices, base.normal);
+  }
+  for (const Triangle& t : cap)
   {
     add(t);
   }

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "base/Message.h"
 #include "source/Plane.h"
 #include "source/Surface.h"
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace winding
 {
@@ -16,7 +18,11 @@ struct BasedOpenings
 {
   std::size_t closed = 0;
   std::size_t left = 0;
+  bool cutsSurface = false; ///< whether the surface reaches beyond the base
 };
+
+/// Returns what a user should know of a base, nothing where all is closed.
+std::vector<Message> notesOn(const BasedOpenings& openings);
 
 /**
  * A flat base for surfaces that are open on one side, as scans and terrain are. Walls go from the
@@ -24,7 +30,8 @@ struct BasedOpenings
  *
  * Openings are closed that face the base: the vector area of their lid (½ ∑ p × q) is within 60° of
  * its normal, and a tenth or more of the largest one's. So holes in a roof, or beneath a chin, stay
- * what they are. Rims that lie in the base, up to a millionth of the bounds, are closed, too.
+ * what they are. Rims that lie in the base, up to a millionth of the bounds, are closed, too. From
+ * 20 000 edges on the cap of the base is any that has its rims (Cap.h).
  */
 class FlatBase
 {

@@ -3,6 +3,7 @@
 #include "base/Refusal.h"
 #include "surface/RepeatedFaces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -23,16 +24,18 @@ Bounds withImage(Bounds bounds, const Plane& plane)
   return bounds;
 }
 
+} // namespace
+
 /// Returns the distance from a plane within which positions are their own images.
-double reachOf(const Bounds& bounds)
+double Mirror::reachOf(const Bounds& bounds) const
 {
   constexpr double share = 1e-6;
-  return bounds.isEmpty() ? 0 : share * bounds.sizes().maxCoeff();
+  return bounds.isEmpty() ? 0 : std::max(tolerance_, share * bounds.sizes().maxCoeff());
 }
 
-void addImage(const Plane& plane, Surface& surface, PolygonParts& parts)
+void Mirror::addImage(const Plane& plane, Surface& surface, PolygonParts& parts) const
 {
-  const double reach = reachOf(surface.bounds);
+  const double reach = this->reachOf(surface.bounds);
   const Bounds bounds = withImage(surface.bounds, plane);
   std::vector<char> isLeftOut;
   const std::size_t vertices = surface.vertices.size(), triangles = surface.triangles.size();
@@ -81,10 +84,9 @@ void addImage(const Plane& plane, Surface& surface, PolygonParts& parts)
   surface.bounds = bounds;
 }
 
-} // namespace
-
-Mirror::Mirror(const std::string& text)
+Mirror::Mirror(const std::string& text, double tolerance)
   : planes_(planesIn(text, Parameter::mirror))
+  , tolerance_(tolerance)
 {
   constexpr std::size_t most = 3;
   if (planes_.size() > most)
@@ -103,11 +105,33 @@ Bounds Mirror::completed(const Bounds& bounds) const
   return result;
 }
 
+bool Mirror::cuts(const std::vector<Eigen::Vector3d>& positions, const Bounds& bounds) const
+{
+  const double reach = this->reachOf(bounds);
+  return std::any_of(planes_.begin(), planes_.end(),
+    [&](const Plane& plane)
+    {
+      bool isBefore = false, isBehind = false;
+      for (const Eigen::Vector3d& position : positions)
+      {
+        isBefore = isBefore || plane.height(position) > reach;
+        isBehind = isBehind || plane.height(position) < -reach;
+      }
+      return isBefore && isBehind;
+    });
+}
+
+Message cutByMirror()
+{
+  return {"the source reaches across its mirror plane",
+    {{"choose a plane that it ends at", {Parameter::mirror}}}, "it overlaps its own image there"};
+}
+
 void Mirror::addTo(Surface& surface, PolygonParts& parts) const
 {
   for (const Plane& plane : planes_)
   {
-    addImage(plane, surface, parts);
+    this->addImage(plane, surface, parts);
   }
 }
 
@@ -117,7 +141,7 @@ void Mirror::addTo(PointCloud& cloud) const
   {
     const std::size_t points = cloud.positions.size();
     const bool haveNormals = !cloud.normals.empty(), haveAreas = !cloud.areas.empty();
-    const double reach = reachOf(cloud.bounds);
+    const double reach = this->reachOf(cloud.bounds);
     const Plane across = {plane.normal, 0};
     for (std::size_t i = 0; i < points; ++i)
     {

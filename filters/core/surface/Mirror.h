@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Message.h"
 #include "source/Plane.h"
 #include "source/PointCloud.h"
 #include "source/Surface.h"
@@ -22,8 +23,9 @@ namespace winding
 class Mirror
 {
 public:
-  /// Takes planes as planesIn() does. Throws Refusal for other texts, and for more than three.
-  explicit Mirror(const std::string& text);
+  /// Takes planes as planesIn() does. Vertices up to `tolerance` from a plane are their own images,
+  /// too. Throws Refusal for other texts, and for more than three planes.
+  explicit Mirror(const std::string& text, double tolerance = 0);
 
   bool isNone() const { return planes_.empty(); }
 
@@ -31,6 +33,9 @@ public:
 
   /// Returns how often the source is there afterwards.
   std::size_t copies() const { return std::size_t(1) << planes_.size(); }
+
+  /// Returns whether a source reaches across a plane, so that it overlaps its own image.
+  bool cuts(const std::vector<Eigen::Vector3d>& positions, const Bounds& bounds) const;
 
   /// Returns the bounds of a source with these bounds and its images.
   Bounds completed(const Bounds& bounds) const;
@@ -44,7 +49,14 @@ public:
   void addTo(PointCloud& cloud) const;
 
 private:
+  double reachOf(const Bounds& bounds) const;
+  void addImage(const Plane& plane, Surface& surface, PolygonParts& parts) const;
+
   std::vector<Plane> planes_;
+  double tolerance_;
 };
+
+/// Returns what to do about a source that reaches across its plane of symmetry.
+Message cutByMirror();
 
 } // namespace winding

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -33,7 +34,10 @@ Sheets turnSheets(
   const Components components = componentsOf(surface, edgesOf(surface, executor), parts);
   const double scale = unitScale(surface.bounds);
   std::vector<double> along(components.size(), 0); // the side, for the areas of each component
-  double area = 0, moment = 0;                     // of open components
+  std::vector<double> areas(components.size(), 0);
+  std::vector<Eigen::AlignedBox2d> footprints(components.size());
+  double area = 0, moment = 0; // of open components
+  const Eigen::Vector3d u = side.unitOrthogonal(), v = side.cross(u);
   const Eigen::Vector3d center =
     surface.bounds.isEmpty() ? Eigen::Vector3d(0, 0, 0) : surface.bounds.center();
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)
@@ -45,6 +49,11 @@ Sheets turnSheets(
     const Eigen::Vector3d c = (surface.vertices[t[2]] - center) * scale;
     const Eigen::Vector3d twiceArea = (b - a).cross(c - a);
     along[component] += side.dot(twiceArea);
+    areas[component] += twiceArea.norm();
+    for (const Eigen::Vector3d& corner : {a, b, c})
+    {
+      footprints[component].extend(Eigen::Vector2d(u.dot(corner), v.dot(corner)));
+    }
     if (!components.isClosed[component])
     {
       area += twiceArea.norm();
@@ -59,10 +68,32 @@ Sheets turnSheets(
       std::swap(surface.triangles[i][1], surface.triangles[i][2]);
     }
   }
-  const double middle = area > 0 ? moment / area / scale : 0;
-  return {static_cast<std::size_t>(
-            std::count(components.isClosed.begin(), components.isClosed.end(), char(0))),
-    side.dot(center) + middle};
+  Sheets sheets;
+  sheets.height = side.dot(center) + (area > 0 ? moment / area / scale : 0);
+  constexpr double leastShare = 0.05, leastOverlap = 0.5;
+  constexpr std::size_t mostCompared = 1000; // pieces of one terrain are many, and lie apart
+  std::vector<Eigen::AlignedBox2d> before;
+  for (std::size_t i = 0; i < components.size(); ++i)
+  {
+    if (components.isClosed[i])
+    {
+      continue;
+    }
+    ++sheets.count;
+    sheets.unclear += std::abs(along[i]) < leastShare * areas[i] ? 1 : 0;
+    for (const Eigen::AlignedBox2d& other : before)
+    {
+      const Eigen::AlignedBox2d shared = footprints[i].intersection(other);
+      const double least = std::min(footprints[i].volume(), other.volume());
+      sheets.areStacked =
+        sheets.areStacked || (!shared.isEmpty() && shared.volume() > leastOverlap * least);
+    }
+    if (before.size() < mostCompared)
+    {
+      before.push_back(footprints[i]);
+    }
+  }
+  return sheets;
 }
 
 } // namespace winding

@@ -18,6 +18,10 @@ struct Sheets
 {
   std::size_t count = 0;
   double height = 0; ///< of their middle along a side, in the unit of the source
+  /// The number of them with faces that look along the side so little, by a twentieth of their area
+  /// at most, that rounding decides.
+  std::size_t unclear = 0;
+  bool areStacked = false; ///< whether some lie over each other, as layers do
 };
 
 /**

@@ -117,7 +117,8 @@ TEST(Advice, OnSurfacesSaysWhetherTheyAreClosed)
 TEST(Advice, OnSlitsNamesTheirWidthAndWhetherToWeldThem)
 {
   const std::string slit = adviceOnMesh(shapes::cubeWithSlit(1e-12));
-  EXPECT_EQ(slit, "closed, except for slits of 1e-12: weld them; 8 boundary edges in 2 loops; "
+  EXPECT_EQ(slit, "closed, except for slits of 1e-12: weld points up to 1.1e-12 from each other; 8 "
+                  "boundary edges in 2 loops; "
                   "winding numbers are between integers only next to these");
   const std::string inward = adviceOnMesh(shapes::cubeWithSlit(1e-12).reversed());
   EXPECT_EQ(inward, "inside out; " + slit);

@@ -205,7 +205,6 @@ TEST(Mirror, IsRefusedForMoreThanThreePlanes)
 TEST(Mirror, GivesCloudsTheirOtherHalf)
 {
   const Cloud all = sphereCloud(2000);
-  winding::OrientedPointsView view = all.view();
   Cloud half;
   for (std::size_t i = 0; i < all.positions.size(); ++i)
   {
@@ -599,4 +598,149 @@ TEST(SnappedPoints, KeepWhatIsFarAndWhatIsNoPlace)
   }
   const auto one = winding::snappedPoints({{points.data(), 2}}, 1, serial)[0];
   EXPECT_EQ(one[3], one[0]);
+}
+
+TEST(Mirror, NoticesSourcesThatReachAcrossIt)
+{
+  FieldOptions options;
+  options.mirror = "x=0.5";
+  EXPECT_EQ(fieldOf(cube(), options)->info().warnings.size(), 1u);
+  options.mirror = "x=1";
+  EXPECT_TRUE(fieldOf(cube(), options)->info().warnings.empty());
+  // Points within the tolerance of the plane are in it.
+  const Mesh ragged = quarterBox(4).mapped(
+    [](const Point& p) -> Point {
+      return p[0] == 0 ? Point{p[1] > 0.3 ? 1e-3 : -1e-3, p[1], p[2]} : p;
+    });
+  options = FieldOptions();
+  options.mirror = "x=0 z=1";
+  options.weldTolerance = 2e-3;
+  const auto whole = fieldOf(ragged, options);
+  EXPECT_EQ(whole->info().netBoundaryEdges, 0u);
+  EXPECT_TRUE(whole->info().warnings.empty());
+}
+
+TEST(Mirror, LeavesViewpointsToTheHalfThatWasSeen)
+{
+  const Cloud all = sphereCloud(3000);
+  std::vector<Point> half;
+  for (const Point& p : all.positions)
+  {
+    if (p[1] >= 0)
+    {
+      half.push_back(p);
+    }
+  }
+  FieldOptions options;
+  options.mirror = "y=0";
+  options.estimateNormals = true;
+  options.toward = "0 50 0";
+  winding::SerialExecutor serial;
+  const auto field = winding::Field::build(
+    std::vector<winding::OrientedPointsView>{
+      {winding::VectorsView(half.front().data(), half.size()), {}, {}}},
+    options, serial);
+  for (const double value : valuesAt(*field, {{0, 0.5, 0}, {0, -0.5, 0}, {0, 0, 0}}))
+  {
+    EXPECT_NEAR(value, 1, 0.1); // 0.98
+  }
+}
+
+TEST(FlatBase, SaysWhatItLeavesAndCuts)
+{
+  const auto warningsOf = [](const Mesh& mesh, const std::string& base)
+  {
+    FieldOptions options;
+    options.flatBase = base;
+    std::string all;
+    const auto field = fieldOf(mesh, options);
+    for (const winding::Message& message : field->info().warnings)
+    {
+      all += message.fault + "; ";
+    }
+    return all;
+  };
+  const Mesh dome = kept(icosphere(4), [](const Point& p) { return p[2] > -0.4; });
+  Mesh holed;
+  holed.points = dome.points;
+  holed.triangles.assign(dome.triangles.begin() + 1, dome.triangles.end());
+  EXPECT_NE(warningsOf(holed, "down").find("leaves 1 opening as they are"), std::string::npos);
+  EXPECT_NE(warningsOf(dome, "z=0").find("cuts the surface"), std::string::npos);
+  EXPECT_NE(warningsOf(dome, "up").find("closes nothing"), std::string::npos);
+  EXPECT_EQ(warningsOf(dome, "down"), "");
+}
+
+TEST(FlatBase, TakesAnyCapForManyCorners)
+{
+  // A comb of 12 000 teeth, extruded: its base has more corners than are triangulated.
+  Mesh walls;
+  const int teeth = 12000;
+  const auto at = [](int i) -> Point
+  {
+    return {static_cast<double>(i / 2), i % 4 < 2 ? 0.0 : 1.0, 0};
+  };
+  std::vector<Point> rim;
+  for (int i = 0; i < 2 * teeth; ++i)
+  {
+    rim.push_back(at(i));
+  }
+  rim.emplace_back(teeth, 3, 0);
+  rim.emplace_back(0, 3, 0);
+  const auto count = static_cast<int>(rim.size());
+  for (const Point& p : rim)
+  {
+    walls.points.push_back(p);
+  }
+  for (const Point& p : rim)
+  {
+    walls.points.push_back(p + Point(0, 0, 1));
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    const int next = (i + 1) % count;
+    walls.triangles.push_back({i, next, count + next});
+    walls.triangles.push_back({i, count + next, count + i});
+  }
+  winding::SerialExecutor serial;
+  Surface surface = clean(walls);
+  EXPECT_EQ(winding::FlatBase("down").addTo(surface, serial).closed, 1u);
+  EXPECT_EQ(winding::FlatBase("up").addTo(surface, serial).closed, 1u);
+  EXPECT_EQ(netBoundary(surface), 0u);
+  EXPECT_NEAR(std::abs(volumeOf(surface)), 2.5 * teeth, 0.001 * teeth);
+}
+
+TEST(SheetSide, SaysWhereItDecidesNothing)
+{
+  Mesh sheet;
+  sheet.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+  FieldOptions options;
+  options.sheetSide = "+x";
+  EXPECT_EQ(fieldOf(sheet, options)->info().warnings.size(), 1u) << "it lies along the sheet";
+  options.sheetSide = "down";
+  EXPECT_TRUE(fieldOf(sheet, options)->info().warnings.empty());
+  const Mesh two = sheet.with(sheet.mapped(
+    [](const Point& p) -> Point {
+      return {p[0], p[1], p[2] + 0.5};
+    }));
+  EXPECT_EQ(fieldOf(two, options)->info().warnings.size(), 1u) << "sheets add up";
+  const Mesh pieces = sheet.with(sheet.mapped(
+    [](const Point& p) -> Point {
+      return {p[0] + 1, p[1], p[2] + 0.1};
+    }));
+  EXPECT_TRUE(fieldOf(pieces, options)->info().warnings.empty()) << "they lie side by side";
+  options.method = winding::Method::parity;
+  EXPECT_THROW(fieldOf(sheet, options), winding::Refusal);
+}
+
+TEST(SnappedPoints, TakeTinyTolerancesAndSmallOnes)
+{
+  const std::vector<Point> points = randomPoints(20000, -1, 1, 61);
+  winding::SerialExecutor serial;
+  const winding::VectorsView view(points.front().data(), points.size());
+  for (const double tolerance : {1e-320, 1e-300, 1e-18})
+  {
+    const auto found = winding::snappedPoints({view}, tolerance, serial)[0];
+    EXPECT_TRUE(std::equal(found.begin(), found.end(), points.front().data()));
+  }
 }

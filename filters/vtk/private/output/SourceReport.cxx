@@ -85,7 +85,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source,
 {
   std::vector<TrianglesView> triangles = source.triangles();
   std::vector<VectorsView> points = source.points();
-  const Mirror mirror(completion.mirror);
+  const Mirror mirror(completion.mirror, completion.weldTolerance);
   const FlatBase base(completion.flatBase);
   CompletedSurface completed;
   if (!mirror.isNone() || !base.isNone())
@@ -137,6 +137,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source,
   writer.count("invalid_ids", surface.invalidIdTriangles);
   std::vector<Message> advice = adviceOn(surface, report);
   const std::vector<Message> notes = notesOn(cells);
+  advice.insert(advice.end(), completed.notes.begin(), completed.notes.end());
   advice.insert(advice.end(), notes.begin(), notes.end());
   writer.text("advice", lineOf(advice));
   return faultBlocks(surface, found.edges, report.slits, shape, executor);

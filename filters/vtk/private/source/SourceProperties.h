@@ -94,6 +94,7 @@ template <class Object> SourceOptions sourceOptions(Object& object, bool scatter
   options.field.orientFaces = object.GetOrientFaces() != 0;
   options.field.ignoreOpenParts = object.GetIgnoreOpenParts() != 0;
   options.field.mirror = textOf(object.GetMirror());
+  options.field.weldTolerance = object.GetWeldTolerance();
   options.field.flatBase = textOf(object.GetFlatBase());
   options.field.sheetSide = textOf(object.GetSheetSide());
   options.field.method = coreMethod(object.GetMethod());
