@@ -522,11 +522,12 @@ class WindingAccessor:
         source = _source(self._mesh, normals_array=normals_array, surface_cells=surface_cells,
                          notes=notes)
         with bar(progress_bar, "Looking at the mesh") as show:
-            points, polygons = source.points, None
+            points, polygons, own = source.points, None, []
             if source.is_surface:
                 points, corners, offsets = fields.completed(
                     points, source.corners, source.offsets, mirror=mirror, flat_base=flat_base,
-                    weld_tolerance=weld_tolerance)
+                    weld_tolerance=weld_tolerance, notes=own)
+                notes = own + notes
                 polygons = _library.polygons_of(corners, offsets)
             return fields.report_of(points, polygons, source.normals, show=show, notes=notes, counts={
                                         "turned_cells": source.turned_cells,

@@ -172,13 +172,15 @@ class Field:
             n_threads=n_threads, longest_expected_time=longest_expected_time,
             as_points=as_points, orient_faces=orient_faces, ignore_open_parts=ignore_open_parts,
             mirror=mirror, flat_base=flat_base, sheet_side=sheet_side,
-            weld_tolerance=weld_tolerance, estimate_normals=estimate_normals, normal_estimation=normal_estimation,
+            weld_tolerance=weld_tolerance, estimate_normals=estimate_normals,
+            normal_estimation=normal_estimation,
             toward=toward, n_neighbors=n_neighbors, point_area=point_area,
             regularization=regularization)
 
     def _choose(self, *, method, tolerance, threshold, rule, n_threads, longest_expected_time,
                 as_points, orient_faces, ignore_open_parts, mirror, flat_base, sheet_side,
-                weld_tolerance, estimate_normals, normal_estimation, toward, n_neighbors, point_area, regularization):
+                weld_tolerance, estimate_normals, normal_estimation, toward, n_neighbors,
+                point_area, regularization):
         """Checks and sets all that is no array."""
         self._options = {
             "method": _options.choice("method", method, _options.METHODS),
@@ -503,26 +505,28 @@ def report(vertices: Any, faces: ArrayLike | None = None, *,
     vertices, faces, normals, _ = _parts(vertices, faces, normals)
     if faces is not None:
         points, ids = _numbers.surface(vertices, faces, finite=False)
+        notes: list[str] = []
         points, ids, _ = completed(points, ids, mirror=mirror, flat_base=flat_base,
-                                   weld_tolerance=weld_tolerance)
-        return report_of(points, _library.polygons_of(ids), None)
+                                   weld_tolerance=weld_tolerance, notes=notes)
+        return report_of(points, _library.polygons_of(ids), None, notes=notes)
     points = _numbers.vectors("vertices", vertices, finite=False)
     directions = None if normals is None else _numbers.vectors("normals", normals, finite=False)
     return report_of(points, None, directions)
 
 
-def completed(points, corners, offsets=None, *, mirror, flat_base, weld_tolerance):
+def completed(points, corners, offsets=None, *, mirror, flat_base, weld_tolerance, notes,
+              call=_library.call):
     """Points, corners and offsets of a surface with its mirror images and its base: triangles (F, 3)
-    without offsets, or what came in where nothing is asked for."""
+    without offsets, or what came in where nothing is asked for. Lines on these join the notes."""
     if not (mirror or flat_base or weld_tolerance):
         return points, corners, offsets
     options = _library.Options(
         mirror=_options.words("mirror", mirror), flat_base=_options.words("flat_base", flat_base),
         weld_tolerance=_options.number("weld_tolerance", weld_tolerance, 0))
     handle = _library.Handle("winding_mesh_free")
-    _library.call("winding_complete", _library.array_of(points),
-                  ctypes.byref(_library.polygons_of(corners, offsets)), ctypes.byref(options),
-                  _library.RUN, ctypes.byref(handle.pointer))
+    call("winding_complete", _library.array_of(points),
+         ctypes.byref(_library.polygons_of(corners, offsets)), ctypes.byref(options),
+         _library.RUN, ctypes.byref(handle.pointer), note=notes.append)
     arrays = _library.arrays_of(handle)
     triangles = np.empty(0, np.int64) if arrays["corners"] is None else arrays["corners"]
     vertices = np.empty((0, 3)) if arrays["points"] is None else arrays["points"]
@@ -571,7 +575,8 @@ def fix_orientation(vertices: Any, faces: ArrayLike | None = None, *,
     are taken once. weld_tolerance: as for Field."""
     points, ids = _numbers.surface(*_parts(vertices, faces)[:2])
     ids = ids.astype(np.int64, copy=False)
-    turned, left_out = orientation_of(welded(points, weld_tolerance), _library.polygons_of(ids), len(ids))
+    turned, left_out = orientation_of(
+        welded(points, weld_tolerance), _library.polygons_of(ids), len(ids))
     fixed = np.where(turned[:, None] == 1, ids[:, [0, 2, 1]], ids)
     return fixed[left_out == 0]
 

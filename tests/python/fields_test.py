@@ -118,7 +118,8 @@ class FieldTest(unittest.TestCase):
         faces[0] = len(CORNERS) + np.arange(3)
         report = vtkwinding.report(np.concatenate([CORNERS, own]), faces)
         self.assertAlmostEqual(report["widest_slit"], 3 ** 0.5 * 1e-12, 14)
-        self.assertTrue(report["advice"].startswith("closed, except for slits of 2e-12: weld them"),
+        self.assertTrue(report["advice"].startswith(
+            "closed, except for slits of 2e-12: weld points up to "),
                         report["advice"])
 
     def test_stays_what_it_is(self):

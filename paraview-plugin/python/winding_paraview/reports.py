@@ -118,7 +118,10 @@ class SurfaceReport(Algorithm):
             data, source = blocks, source_in_words(blocks, **options)[0]
         own = Parts(source.points, source.corners, source.offsets) if source.is_surface else (
             cloud_of(self, source.leaves, 0))
-        parts = self._completed(gathered(own, ranks, self.value("SourceDistribution")))
+        of_completion = []
+        parts = self._completed(
+            gathered(own, ranks, self.value("SourceDistribution")), of_completion)
+        notes = of_completion + notes
         output.ShallowCopy(_joined(leaves, data))
         if parts.is_surface:
             self._report_surface(parts, source, notes, fixed, output)
@@ -129,14 +132,14 @@ class SurfaceReport(Algorithm):
         else:
             self._report_cloud(parts, data, fixed, output)
 
-    def _completed(self, parts):
-        """Parts with what a surface lacks by its owner's word."""
+    def _completed(self, parts, notes):
+        """Parts with what a surface lacks by its owner's word, and notes on that."""
         if not parts.is_surface:
             return parts
         points, corners, offsets = fields.completed(
             np.ascontiguousarray(parts.points), parts.corners, parts.offsets,
             mirror=self.values["Mirror"], flat_base=self.values["FlatBase"],
-            weld_tolerance=self.value("WeldTolerance"))
+            weld_tolerance=self.value("WeldTolerance"), notes=notes, call=self.call)
         if offsets is None:
             offsets = 3 * np.arange(len(corners) + 1)
         return Parts(points, corners.ravel(), offsets)

@@ -327,6 +327,7 @@ class SourceAlgorithm(Algorithm):
             normal_estimation=self.value("NormalEstimation"),
             toward=_options.words("Toward", self.values["Toward"]),
             frame=None if self.frame is None else self.frame.numbers,
+            weld_tolerance=self.value("WeldTolerance"),
             **self.completion(), sheet_side=_options.words("Sheet Side", self.values["SheetSide"]),
             orient_faces=bool(self.value("OrientFaces")),
             ignore_open_parts=bool(self.value("IgnoreOpenParts")), scattered=self.is_scattered)
