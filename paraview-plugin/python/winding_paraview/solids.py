@@ -377,7 +377,13 @@ class WindingNumberLabels(ImageAlgorithm):
         return sum(info.primitives == 0 for info in self.infos)
 
     def GetNumberOfOpenSolids(self):
-        return sum(bool(info.is_surface and info.net_boundary_edges) for info in self.infos)
+        return sum(self._is_open(info) for info in self.infos)
+
+    def _is_open(self, info):
+        """Whether the field of a solid is of a surface with holes; sheets that divide are to have
+        a rim."""
+        is_sheet = bool(self.values["SheetSide"])
+        return bool(info.is_surface and info.net_boundary_edges) and not is_sheet
 
     def GetNumberOfInsideOutSolids(self):
         return self.inside_out_count
@@ -489,7 +495,7 @@ class WindingNumberLabels(ImageAlgorithm):
         pairs = list(zip(solids.solids, self.infos))
         empty = [solid.name for solid, info in pairs if info.primitives == 0]
         are_open = [(solid.name, solid.is_open_part) for solid, info in pairs
-                    if info.is_surface and info.net_boundary_edges]
+                    if self._is_open(info)]
         if len(empty) == count:
             self.warn(
                 "there is no solid, so all labels are 0: give a surface or points")
