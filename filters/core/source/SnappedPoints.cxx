@@ -2,6 +2,7 @@
 
 #include "base/Refusal.h"
 #include "source/DistinctPoints.h"
+#include "source/PlaceHash.h"
 #include "source/UnitScale.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <unordered_map>
 
@@ -64,26 +64,13 @@ public:
 private:
   using Cell = std::array<double, 3>;
 
-  struct Hash
-  {
-    std::size_t operator()(const Cell& cell) const
-    {
-      std::size_t hash = 0;
-      for (const double number : cell)
-      {
-        hash = hash * 0x9e3779b97f4a7c15u + std::hash<double>()(number);
-      }
-      return hash;
-    }
-  };
-
   const std::vector<Eigen::Vector3d>& positions_;
   /// Numbers of smaller cells of scaled positions, which are about 1, would not be exact.
   static constexpr double leastSide = 1e-15;
 
   double tolerance_;
   double side_; ///< of a cell
-  std::unordered_multimap<Cell, std::uint32_t, Hash> places_;
+  std::unordered_multimap<Cell, std::uint32_t, PlaceHash> places_;
 };
 
 } // namespace

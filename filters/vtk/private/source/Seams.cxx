@@ -1,6 +1,7 @@
 #include "private/source/Seams.h"
 
 #include "private/source/CellTypes.h"
+#include "source/PlaceHash.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -25,19 +25,6 @@ namespace
 {
 
 using Place = std::array<double, 3>;
-
-struct PlaceHash
-{
-  std::size_t operator()(const Place& place) const
-  {
-    std::size_t hash = 0;
-    for (const double coordinate : place)
-    {
-      hash = hash * 0x9e3779b97f4a7c15u + std::hash<double>()(coordinate);
-    }
-    return hash;
-  }
-};
 
 /// The first point at the place of each point, and whether others stand there.
 struct SharedPlaces
