@@ -216,18 +216,24 @@ BasedOpenings FlatBase::addTo(Surface& surface, Executor& executor) const
   // Polygons take O(n²) time. Beyond a second any cap must do, which may cover more than they do.
   constexpr std::size_t mostCorners = 20'000;
   std::size_t corners = 0;
-  TriangleList cap;
   for (const std::vector<std::int32_t>& sole : soles)
   {
     corners += sole.size();
-    for (const Triangle& t : capOf(BoundaryLoop(sole.data(), sole.data() + sole.size())))
-    {
-      cap.push_back({t[0], t[2], t[1]});
-    }
   }
+  TriangleList cap;
   if (corners <= mostCorners)
   {
     cap = planeCapOf(soles, surface.vertices, base.normal);
+  }
+  else
+  {
+    for (const std::vector<std::int32_t>& sole : soles)
+    {
+      for (const Triangle& t : capOf(BoundaryLoop(sole.data(), sole.data() + sole.size())))
+      {
+        cap.push_back({t[0], t[2], t[1]});
+      }
+    }
   }
   for (const Triangle& t : cap)
   {
