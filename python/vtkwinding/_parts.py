@@ -76,8 +76,8 @@ def _axes_of(image):
 
 
 def has_right_angles(image, skew=MOST_SKEW_TO_LIE_ON):
-    """Whether the axes of an image are at right angles up to a skew, so that distances along them
-    are those of space."""
+    """Tells whether the axes of `image` are at right angles up to `skew`: distances along them are
+    then distances in space."""
     axes = _axes_of(image)
     return bool((np.abs(axes.T @ axes - np.eye(3)) <= skew).all())
 

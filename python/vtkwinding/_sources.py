@@ -374,8 +374,8 @@ def _looking_outward(mesh, surface, is_curved):
 
 
 def _without_seams(mesh, surface):
-    """The outer surface of a mesh without polygons that are there in both senses: they are between
-    cells that touch but share no points, as those of the pieces of a file."""
+    """Removes polygons from the outer `surface` of `mesh` that are there in both senses: they lie
+    between cells that touch but share no points, as in the pieces of a file."""
     owners = _datasets.array_of(mesh, surface.GetCellData().GetArray(_OWNERS))
     before = surface.GetNumberOfVerts() + surface.GetNumberOfLines()
     points = np.ascontiguousarray(

@@ -534,7 +534,7 @@ def completed(points, corners, offsets=None, *, mirror, flat_base, weld_toleranc
 
 
 def welded(points, tolerance):
-    """Points of which those are equal that are up to a distance from each other."""
+    """Makes `points` equal where they are up to `tolerance` apart."""
     tolerance = _options.number("weld_tolerance", tolerance, 0)
     if tolerance == 0:
         return points

@@ -190,7 +190,7 @@ Fields nrrdFields(const std::string& head)
   return fields;
 }
 
-/// Returns the number of axes that a field says, of which three at most are of space.
+/// Returns the number of axes that a field says. Three at most are of space.
 std::size_t axesOf(const Fields& fields, const char* key)
 {
   const std::string* const text = findAny(fields, {key});

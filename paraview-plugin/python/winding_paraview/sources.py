@@ -93,7 +93,7 @@ class Parts:
 
 
 def welded(parts, tolerance):
-    """Parts of which points of a surface are equal that are up to a distance from each other."""
+    """Makes points of a surface in `parts` equal where they are up to `tolerance` apart."""
     if tolerance == 0 or not parts.is_surface:
         return parts
     made = copy.copy(parts)
