@@ -40,7 +40,7 @@ winding_status winding_complete(winding_array points, const winding_polygons* po
       const winding::FieldOptions wished = optionsOf(options);
       Triangles triangles(points, polygons);
       Call call(run);
-      triangles.weld(toleranceOf(options), call.executor);
+      triangles.weld(wished.weldTolerance, call.executor);
       giveHandle(*mesh,
         [&](winding_mesh& made)
         {
