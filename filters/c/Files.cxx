@@ -109,8 +109,7 @@ winding::MeshArrays readMesh(
   }
   if (format.read)
   {
-    return format.hasColumns ? winding::readPointColumns(file, columns, nullptr, executor)
-                             : format.read(file, executor);
+    return format.read(file, {columns, false}, executor);
   }
   winding::TableOptions options;
   options.separator = format.separator;

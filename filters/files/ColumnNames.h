@@ -54,6 +54,13 @@ private:
   std::map<std::string, std::string> names_; ///< of columns, by components
 };
 
+/// The numbers of points that are to be read.
+struct ColumnWishes
+{
+  ColumnChoice chosen;
+  bool others = false; ///< whether numbers without a meaning are wanted, too
+};
+
 /// The columns that are these, one for each component; none where one of them is missing. Names may
 /// have small letters or large ones, and a unit in brackets behind them. Those with colons are the
 /// ones that ParaView gives to components; where a table has both, they count. Of several columns

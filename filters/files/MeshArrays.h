@@ -5,6 +5,7 @@
 #include "files/PlainArray.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace winding
@@ -46,6 +47,13 @@ struct VectorArrays
   std::size_t count() const { return (doubles.size() + floats.size()) / 3; }
 };
 
+/// Numbers of the points that mean nothing here, as an intensity.
+struct OtherNumbers
+{
+  std::string name;
+  PlainArray<double> numbers; ///< one for each point
+};
+
 /// The content of a file of a mesh or of points, in arrays that can be given away without a copy.
 struct MeshArrays
 {
@@ -55,6 +63,7 @@ struct MeshArrays
   PlainArray<std::uint8_t> colors;      ///< colorComponents for each point; empty if there are none
   int colorComponents = 0;              ///< 3, red, green and blue, or 4, and opacity
   PlainArray<float> textureCoordinates; ///< two for each point; empty if there are none
+  std::vector<OtherNumbers> others;     ///< in the order of the file, if they are wanted
   CellArrays vertices;                  ///< cells of single points or of many
   CellArrays lines;
   CellArrays polygons;

@@ -15,14 +15,21 @@ namespace winding
 namespace
 {
 
+/// Reads a format that has no numbers of points without a meaning.
+template <MeshArrays (*read)(const InputFile&, Executor&)>
+MeshArrays plain(const InputFile& file, const ColumnWishes&, Executor& executor)
+{
+  return read(file, executor);
+}
+
 /// All formats, in the order in which users are given their suffixes.
 constexpr MeshFormat formats[] = {
-  {".ply", readPly, 0, false},
-  {".stl", readStl, 0, false},
-  {".obj", readObj, 0, false},
-  {".off", readOff, 0, false},
-  {".xyz", readPoints, 0, true},
-  {".pwn", readPoints, 0, true},
+  {".ply", readPlyColumns, 0, false},
+  {".stl", plain<readStl>, 0, false},
+  {".obj", plain<readObj>, 0, false},
+  {".off", plain<readOff>, 0, false},
+  {".xyz", readPointColumns, 0, true},
+  {".pwn", readPointColumns, 0, true},
   {".csv", nullptr, ',', true},
   {".tsv", nullptr, '\t', true},
 };

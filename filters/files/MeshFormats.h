@@ -1,5 +1,6 @@
 #pragma once
 
+#include "files/ColumnNames.h"
 #include "files/InputFile.h"
 #include "files/MeshArrays.h"
 
@@ -13,10 +14,11 @@ class Executor;
 /// A format of files of meshes and points.
 struct MeshFormat
 {
-  const char* suffix;                                            ///< in small letters, with the dot
-  MeshArrays (*read)(const InputFile& file, Executor& executor); ///< null for tables
-  char separator;                                                ///< of a table (TableFile.h)
-  bool hasColumns; ///< whether the user may choose columns, by readPointColumns() where not a table
+  const char* suffix; ///< in small letters, with the dot
+  /// Null for tables.
+  MeshArrays (*read)(const InputFile& file, const ColumnWishes& wishes, Executor& executor);
+  char separator;  ///< of a table (TableFile.h)
+  bool hasColumns; ///< whether the user may choose columns
 };
 
 /// Returns the format of a file by the suffix of its name. Throws FileRefusal for others.

@@ -129,6 +129,12 @@ private:
     const std::vector<const PlyProperty*> texture = vertex.textureCoordinates();
     const auto count = static_cast<std::size_t>(vertex.count);
     mesh_.colorComponents = static_cast<int>(color.size());
+    std::vector<const PlyProperty*> others;
+    if (header_.areOthersWanted)
+    {
+      others = vertex.others();
+      mesh_.others = vertex.arraysOfOthers();
+    }
     do
     {
       mesh_.points = position.arrays(count);
@@ -142,6 +148,10 @@ private:
         normal.copy(items, mesh_.normals);
         copyParts(color, items, mesh_.colors);
         copyParts(texture, items, mesh_.textureCoordinates);
+        for (std::size_t i = 0; i < others.size(); ++i)
+        {
+          copyParts({others[i]}, items, mesh_.others[i].numbers);
+        }
       },
       executor_));
   }

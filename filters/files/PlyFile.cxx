@@ -8,7 +8,13 @@ namespace winding
 
 MeshArrays readPly(const InputFile& file, Executor& executor)
 {
-  const PlyHeader header = readPlyHeader(file);
+  return readPlyColumns(file, {}, executor);
+}
+
+MeshArrays readPlyColumns(const InputFile& file, const ColumnWishes& wishes, Executor& executor)
+{
+  PlyHeader header = readPlyHeader(file);
+  header.areOthersWanted = wishes.others;
   MeshArrays mesh = header.encoding == PlyEncoding::text ? readPlyText(file, header, executor)
                                                          : readPlyBinary(file, header, executor);
   mesh.notes = header.notes;

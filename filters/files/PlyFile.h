@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "files/ColumnNames.h"
 #include "files/InputFile.h"
 #include "files/MeshArrays.h"
 
@@ -11,8 +12,9 @@ namespace winding
  * Reads a surface or points from the Polygon File Format (.ply) of version 1.0, as text or in
  * either order of bytes: the vertices with their normals (nx, ny, nz), colours of bytes (red,
  * green, blue, alpha) and texture coordinates (u and v, s and t, or texture_u and so on), where
- * there are any, and the faces (vertex_indices or vertex_index). All other
- * elements and properties are passed over. Numbers may be of any type.
+ * there are any, and the faces (vertex_indices or vertex_index). All other elements are passed
+ * over, and so are other properties, unless these are of vertices, and wanted. Numbers may be of
+ * any type.
  *
  * Positions are doubles in all text and where the file holds doubles or integers of four bytes, and
  * floats else; so are normals.
@@ -25,5 +27,9 @@ namespace winding
  * The format is described by Greg Turk, "The PLY Polygon File Format", Stanford University, 1994.
  */
 MeshArrays readPly(const InputFile& file, Executor& executor);
+
+/// Reads a file as readPly() does. If they are wanted, other single numbers of vertices are read,
+/// too, by the names of their properties.
+MeshArrays readPlyColumns(const InputFile& file, const ColumnWishes& wishes, Executor& executor);
 
 } // namespace winding

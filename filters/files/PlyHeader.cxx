@@ -1,11 +1,13 @@
 #include "files/PlyHeader.h"
 
-#include "files/MeshArrays.h"
+#include "files/ColumnNames.h"
 #include "files/Words.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
+#include <numeric>
+#include <set>
 #include <string_view>
 
 namespace winding
@@ -351,6 +353,43 @@ std::vector<const PlyProperty*> PlyElement::textureCoordinates() const
     }
   }
   return {};
+}
+
+std::vector<const PlyProperty*> PlyElement::others() const
+{
+  std::set<const PlyProperty*> used;
+  for (const auto& known : {this->findNumbers(plyPosition), this->findNumbers(plyNormal),
+         this->color(), this->textureCoordinates()})
+  {
+    used.insert(known.begin(), known.end());
+  }
+  std::vector<const PlyProperty*> found;
+  for (const PlyProperty& property : properties)
+  {
+    if (!property.lengthType && used.count(&property) == 0)
+    {
+      found.push_back(&property);
+    }
+  }
+  return found;
+}
+
+std::vector<OtherNumbers> PlyElement::arraysOfOthers() const
+{
+  std::vector<std::string> names;
+  for (const PlyProperty* const property : this->others())
+  {
+    names.push_back(property->name);
+  }
+  std::vector<std::size_t> numbers(names.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t(0));
+  std::vector<OtherNumbers> arrays;
+  for (const std::string& own :
+    namesOfArrays(numbers, names, {"Normals", "RGB", "RGBA", "TCoords"}))
+  {
+    arrays.push_back({own, PlainArray<double>(static_cast<std::size_t>(count))});
+  }
+  return arrays;
 }
 
 const PlyProperty* PlyElement::corners() const

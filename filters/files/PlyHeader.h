@@ -1,6 +1,7 @@
 #pragma once
 
 #include "files/InputFile.h"
+#include "files/MeshArrays.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -70,6 +71,12 @@ struct PlyElement
   /// none.
   std::vector<const PlyProperty*> textureCoordinates() const;
 
+  /// All other single numbers of a vertex.
+  std::vector<const PlyProperty*> others() const;
+
+  /// Arrays for these numbers, which are not set yet.
+  std::vector<OtherNumbers> arraysOfOthers() const;
+
   /// The list of the vertices of a face or strip: vertex_indices or vertex_index, else the only
   /// list of integers; null if there is none.
   const PlyProperty* corners() const;
@@ -93,6 +100,7 @@ struct PlyHeader
   PlyEncoding encoding = PlyEncoding::text;
   std::vector<Message> notes;       ///< on elements with geometry that are not read
   std::vector<PlyElement> elements; ///< in the order of the file
+  bool areOthersWanted = false;     ///< whether numbers of vertices without a meaning are read
   std::size_t bytes = 0;            ///< length of the header
   std::size_t lines = 0;            ///< lines of the header
 

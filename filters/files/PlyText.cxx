@@ -220,6 +220,16 @@ private:
     aim(vertex.color(), mesh_.colors);
     aim(vertex.textureCoordinates(), mesh_.textureCoordinates);
     mesh_.colorComponents = static_cast<int>(vertex.color().size());
+    if (header_.areOthersWanted)
+    {
+      mesh_.others = vertex.arraysOfOthers();
+      const std::vector<const PlyProperty*> others = vertex.others();
+      for (std::size_t i = 0; i < others.size(); ++i)
+      {
+        columns[static_cast<std::size_t>(others[i] - vertex.properties.data())] =
+          Column(mesh_.others[i].numbers.data(), 1);
+      }
+    }
     lines_.visit(
       first, last,
       [&](std::size_t, ContentLines::Part& part)

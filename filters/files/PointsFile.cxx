@@ -223,7 +223,7 @@ struct OtherColumn
 };
 
 /// Makes room for the columns that have no meaning, and appends them to `others`.
-std::vector<OtherColumn> addOthers(const Layout& layout, std::vector<TableColumn>& others)
+std::vector<OtherColumn> addOthers(const Layout& layout, std::vector<OtherNumbers>& others)
 {
   std::set<std::size_t> used(layout.position.begin(), layout.position.end());
   std::set<std::string> taken;
@@ -248,7 +248,7 @@ std::vector<OtherColumn> addOthers(const Layout& layout, std::vector<TableColumn
   std::vector<OtherColumn> targets;
   for (const std::string& name : namesOfArrays(columns, layout.names, taken))
   {
-    TableColumn& other = others.emplace_back();
+    OtherNumbers& other = others.emplace_back();
     other.name = name;
     other.numbers = PlainArray<double>(layout.points);
     targets.push_back({columns[targets.size()], other.numbers.data()});
@@ -359,22 +359,21 @@ void tellColors(MeshArrays& mesh)
 
 MeshArrays readPoints(const InputFile& file, Executor& executor)
 {
-  return readPointColumns(file, {}, nullptr, executor);
+  return readPointColumns(file, {}, executor);
 }
 
-MeshArrays readPointColumns(const InputFile& file, const ColumnChoice& choice,
-  std::vector<TableColumn>* others, Executor& executor)
+MeshArrays readPointColumns(const InputFile& file, const ColumnWishes& wishes, Executor& executor)
 {
   Progress progress(executor);
   progress.set(0, 0.2); // counting takes a fifth of the time
   const ContentLines lines(file, executor, lettersOf(file));
-  const Layout layout = findLayout(file, lines, choice);
+  const Layout layout = findLayout(file, lines, wishes.chosen);
   MeshArrays mesh;
   mesh.points.doubles = PlainArray<double>(3 * layout.points);
   mesh.normals.doubles = PlainArray<double>(layout.hasNormals ? 3 * layout.points : 0);
   mesh.areas = PlainArray<double>(layout.area ? layout.points : 0);
   const std::vector<OtherColumn> targets =
-    others ? addOthers(layout, *others) : std::vector<OtherColumn>();
+    wishes.others ? addOthers(layout, mesh.others) : std::vector<OtherColumn>();
   progress.set(0.2, 1);
   lines.visit(
     layout.firstLine, lines.count(),

@@ -4,9 +4,6 @@
 #include "files/ColumnNames.h"
 #include "files/InputFile.h"
 #include "files/MeshArrays.h"
-#include "files/TableFile.h"
-
-#include <vector>
 
 namespace winding
 {
@@ -29,9 +26,7 @@ namespace winding
 MeshArrays readPoints(const InputFile& file, Executor& executor);
 
 /// Reads points as readPoints() does, from the columns that a user has chosen. Lines need no names
-/// where these are numbers. Appends the other columns to `others`, if that is not null and columns
-/// have names or were chosen.
-MeshArrays readPointColumns(const InputFile& file, const ColumnChoice& choice,
-  std::vector<TableColumn>* others, Executor& executor);
+/// where these are numbers. Reads other columns where they have names, or some were chosen.
+MeshArrays readPointColumns(const InputFile& file, const ColumnWishes& wishes, Executor& executor);
 
 } // namespace winding

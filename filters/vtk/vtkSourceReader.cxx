@@ -153,17 +153,8 @@ void vtkSourceReader::Read(
     this->ReadTable(file, format.separator, executor, output);
     return;
   }
-  std::vector<winding::TableColumn> others;
-  winding::MeshArrays mesh = format.hasColumns
-                               ? winding::readPointColumns(file, this->ChosenColumns(),
-                                   this->ReadAllColumns ? &others : nullptr, executor)
-                               : format.read(file, executor);
-  for (winding::TableColumn& column : others)
-  {
-    const auto array = winding::handedArray<vtkDoubleArray>(column.numbers, 1);
-    array->SetName(column.name.c_str());
-    output->GetPointData()->AddArray(array);
-  }
+  winding::MeshArrays mesh =
+    format.read(file, {this->ChosenColumns(), this->ReadAllColumns}, executor);
   for (const winding::Message& note : mesh.notes)
   {
     vtkWarningMacro(<< file.name() << ": " << winding::lineOf(note));

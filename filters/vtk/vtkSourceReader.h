@@ -130,9 +130,10 @@ public:
   ///@}
 
   ///@{
-  /// For tables, and points whose columns have names: whether columns other than positions, normals
-  /// and areas are read, too. VTK looks through all arrays for each one that is added, so ten
-  /// thousand columns take a second. Default: on.
+  /// For tables, points whose columns have names, and .ply: whether columns other than positions,
+  /// normals and areas are read, too. In .ply these are single numbers of vertices. VTK looks
+  /// through all arrays for each one that is added, so ten thousand columns take a second. Default:
+  /// on.
   vtkSetMacro(ReadAllColumns, bool);
   vtkGetMacro(ReadAllColumns, bool);
   vtkBooleanMacro(ReadAllColumns, bool);

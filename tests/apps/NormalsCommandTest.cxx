@@ -265,10 +265,10 @@ TEST_F(NormalsCommand, KeepWhatPointsCameWith)
     std::string::npos)
     << ply.substr(0, 400);
   EXPECT_EQ(static_cast<unsigned char>(ply[ply.size() - 11]), 255); // red before 2 and 8 bytes
-  // Colours come back from PLY, and columns by numbers from a file without names.
+  // Colours and other numbers come back from PLY, and columns by numbers from a file without names.
   ASSERT_EQ(this->run(folder.path("out.ply"), "again.csv", {"--replace"}).err, "");
   const std::string again = contentsOf(folder.path("again.csv"));
-  EXPECT_EQ(again.substr(0, again.find('\n')), "x,y,z,nx,ny,nz,area,red,green,blue");
+  EXPECT_EQ(again.substr(0, again.find('\n')), "x,y,z,nx,ny,nz,area,red,green,blue,Intensity_(dB)");
   const std::string bare = folder.write("bare.csv", table.substr(table.find('\n') + 1));
   ASSERT_EQ(this->run(bare, "bare.ply", {"--columns", "x=1", "y=2", "z=3"}).err, "");
   EXPECT_TRUE(this->run(in, "out.csv").saysInOneLine({"in.csv: has no columns x, y and z"}));

@@ -239,11 +239,10 @@ TEST(PointsFile, ColumnsMayBeChosen)
   {
     const TemporaryFile file(text);
     SerialExecutor serial;
-    std::vector<TableColumn> others;
     MeshArrays cloud =
-      readPointColumns(InputFile(file.name()), ColumnChoice(columns), &others, serial);
+      readPointColumns(InputFile(file.name()), {ColumnChoice(columns), true}, serial);
     std::string names;
-    for (const TableColumn& other : others)
+    for (const OtherNumbers& other : cloud.others)
     {
       names += other.name + "=" + std::to_string(std::lround(other.numbers[0])) + " ";
     }

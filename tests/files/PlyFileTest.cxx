@@ -334,6 +334,40 @@ TEST(PlyFile, ColoursAndTextureCoordinates)
   EXPECT_TRUE(none.textureCoordinates.empty());
 }
 
+TEST(PlyFile, OtherNumbersOfVerticesAreReadWhereTheyAreWanted)
+{
+  const auto wanted = [](const InputFile& file, Executor& executor)
+  {
+    return readPlyColumns(file, {{}, true}, executor);
+  };
+  for (const std::string& format : formats)
+  {
+    Body body(format);
+    for (int i = 0; i < 3; ++i)
+    {
+      body.add<float>(0.5f + i).add<float>(1).add<float>(2).add<float>(3);
+      body.add<std::int16_t>(-7 - i).add<float>(0).add<std::uint8_t>(1).endItem();
+    }
+    const std::string header =
+      "element vertex 3\nproperty float scalar_Intensity\nproperty float x\nproperty float y\n"
+      "property float z\nproperty short label\nproperty float nx\nproperty uchar label\n";
+    const std::string file = head(format, header) + body.bytes();
+    const MeshArrays mesh = parsed(wanted, file);
+    EXPECT_EQ(pointsOf(mesh), (std::vector<double>{1, 2, 3, 1, 2, 3, 1, 2, 3})) << format;
+    std::vector<std::string> names;
+    for (const OtherNumbers& other : mesh.others)
+    {
+      names.push_back(other.name);
+    }
+    // A component of a normal that is not whole is a number, too.
+    ASSERT_EQ(names, (std::vector<std::string>{"scalar_Intensity", "label", "nx", "label 4"}));
+    EXPECT_EQ(vectorOf(mesh.others[0].numbers), (std::vector<double>{0.5, 1.5, 2.5})) << format;
+    EXPECT_EQ(vectorOf(mesh.others[1].numbers), (std::vector<double>{-7, -8, -9})) << format;
+    EXPECT_EQ(vectorOf(mesh.others[3].numbers), (std::vector<double>{1, 1, 1})) << format;
+    EXPECT_TRUE(parsed(readPly, file).others.empty());
+  }
+}
+
 TEST(PlyFile, FacesBeforeVertices)
 {
   for (const std::string format : formats)

@@ -105,6 +105,12 @@ void handOver(MeshArrays& mesh, vtkPolyData* output)
     areas->SetName("Area");
     output->GetPointData()->AddArray(areas);
   }
+  for (OtherNumbers& other : mesh.others)
+  {
+    const auto array = handedArray<vtkDoubleArray>(other.numbers, 1);
+    array->SetName(other.name.c_str());
+    output->GetPointData()->AddArray(array);
+  }
   for (NamedRegions& regions : mesh.regions)
   {
     addRegions(regions, output);
