@@ -9,7 +9,7 @@ import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
-SUFFIX = r"\.[a-z]+"
+SUFFIX = r"\.[a-z0-9]+"
 
 
 def table_in(path, condition=""):

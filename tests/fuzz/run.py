@@ -33,6 +33,7 @@ FILES_OF = {
     "vtu": [".vtu"],
     "gltf": [".gltf"],
     "glb": [".glb"],
+    "3mf": [".3mf"],
     "gz": [".xyz.gz"],
     "mha": [".mha"],
     "nrrd": [".nrrd"],

@@ -5,11 +5,20 @@ Usage: seeds.py <folder>: a folder for each suffix, and options with command lin
 
 import base64
 import gzip
+import io
 import json
 import pathlib
 import struct
 import sys
+import zipfile
 import zlib
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+try:
+    import vtkhdf
+except ImportError:
+    vtkhdf = None  # there is no h5py
 
 # A tetrahedron, outward.
 POINTS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
@@ -312,6 +321,61 @@ def glb(points, faces):
     yield "nodes", struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
 
+MODEL = """<?xml version="1.0"?>
+<model unit="{}" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
+ xmlns:p="http://schemas.microsoft.com/3dmanufacturing/production/2015/06">
+<resources>
+{}</resources><build>
+{}</build></model>
+"""
+
+
+def three_mf(points, faces):
+    """Packages of a mesh and of components in another part, with what slicers note."""
+    corners = [(f[0], f[i], f[i + 1]) for f in faces for i in range(1, len(f) - 1)]
+    mesh = "<mesh><vertices>\n" + "".join(
+        f'<vertex x="{x}" y="{y}" z="{z}"/>\n' for x, y, z in points
+    ) + "</vertices><triangles>\n" + "".join(
+        f'<triangle v1="{a}" v2="{b}" v3="{c}"/>\n' for a, b, c in corners
+    ) + "</triangles></mesh>"
+    shape = f'<object id="1" name="shape">{mesh}</object>\n'
+    pair = (
+        '<object id="2"><components>'
+        '<component objectid="1" transform="1 0 0 0 1 0 0 0 1 9 0 0"/>\n'
+        '<component objectid="1" p:path="/3D/b.model"/></components></object>\n'
+    )
+    links = (
+        '<Relationships><Relationship Target="/3D/a.model" Id="r" '
+        'Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>'
+    )
+    notes = (
+        '<config><object id="1"><metadata key="name" value="n"/><volume firstid="0" lastid="1">'
+        '<metadata key="volume_type" value="ModelPart"/></volume></object></config>'
+    )
+    files = {
+        "_rels/.rels": links,
+        "3D/a.model": MODEL.format(
+            "inch", shape + pair, '<item objectid="2"/><item objectid="1"/>\n'
+        ),
+        "3D/b.model": MODEL.format("millimeter", shape, ""),
+        "Metadata/Slic3r_PE_model.config": notes,
+    }
+    for name, way in (("stored", zipfile.ZIP_STORED), ("packed", zipfile.ZIP_DEFLATED)):
+        package = io.BytesIO()
+        with zipfile.ZipFile(package, "w", way) as archive:
+            for path, content in files.items():
+                archive.writestr(zipfile.ZipInfo(path), content, way)
+        yield name, package.getvalue()
+
+
+def hdf(points, faces):
+    corners = [(f[0], f[i], f[i + 1]) for f in faces for i in range(1, len(f) - 1)]
+    for name, parts in (("whole", 1), ("parts", 2)):
+        file = io.BytesIO()
+        vtkhdf.write(file, points, corners, "UnstructuredGrid", parts)
+        yield name, file.getvalue()
+
+
 def table(points, separator):
     def lines(head, rows, end="\n"):
         return "".join(separator.join(map(str, row)) + end for row in [head, *rows])
@@ -457,7 +521,10 @@ def all_files():
         ".vtu": vtu,
         ".gltf": gltf,
         ".glb": glb,
+        ".3mf": three_mf,
     }
+    if vtkhdf:
+        makers[".vtkhdf"] = hdf
     for shape, (points, faces) in SHAPES.items():
         made = [(suffix, maker(points, faces)) for suffix, maker in makers.items()]
         made += [

@@ -12,9 +12,10 @@ import sys
 import unittest
 
 SOURCES = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(SOURCES / "tests" / "support"))
+sys.path[:0] = [str(SOURCES / "tests" / folder) for folder in ("support", "fuzz")]
 
 import inputs  # noqa: E402
+import seeds  # noqa: E402
 
 SYSTEM_PYTHON = "/usr/bin/python3"
 LIBRARIES = "usr/lib/x86_64-linux-gnu"
@@ -76,6 +77,11 @@ class TestVtkWinding(unittest.TestCase):
         program = self.root / "usr/bin/winding"
         output_of(program, "field", "closed.obj", "-o", "field.vti", cwd=self.files)
         self.assertGreater((self.files / "field.vti").stat().st_size, 1000)
+
+    def test_the_program_finds_its_loaded_readers(self):
+        for name, content in seeds.three_mf(seeds.POINTS, seeds.FACES):
+            (self.files / f"{name}.3mf").write_bytes(content)
+            output_of(self.root / "usr/bin/winding", "check", f"{name}.3mf", cwd=self.files)
 
     def test_cmake_finds_the_module(self):
         project = SOURCES / "data" / "examples"

@@ -1,7 +1,9 @@
 #include "files/Formats.h"
 
-#include "files/Text.h"
 #include "files/GltfReader.h"
+#include "files/LoadedReaders.h"
+#include "files/Text.h"
+#include "program/Failure.h"
 
 #include "vtkDataSetReader.h"
 #include "vtkSourceReader.h"
@@ -15,6 +17,8 @@
 #include "vtkXMLUnstructuredGridReader.h"
 
 #include <filesystem>
+
+#include <dlfcn.h>
 
 namespace
 {
@@ -38,6 +42,27 @@ vtkSmartPointer<vtkAlgorithm> legacyVtk(const std::string& fileName)
   return reader;
 }
 
+/// Makes a reader of the library that is loaded for it, and stays loaded.
+vtkSmartPointer<vtkAlgorithm> loaded(const std::string& fileName)
+{
+  void* const library = dlopen(loadedReaders, RTLD_NOW | RTLD_LOCAL);
+  const auto make = library ? reinterpret_cast<ReaderMaker>(dlsym(library, readerMaker)) : nullptr;
+  if (!make)
+  {
+    throw Failure(EXIT_REFUSED, fileName,
+      std::string("cannot be read here: the library ") + loadedReaders +
+        " of winding is missing; install it anew, or save the file as .vtp or .ply");
+  }
+  auto reader =
+    vtkSmartPointer<vtkAlgorithm>::Take(make(suffixOf(fileName).c_str(), fileName.c_str()));
+  if (!reader)
+  {
+    throw Failure(EXIT_REFUSED, fileName,
+      "cannot be read here: this VTK has no reader of VTKHDF; save it as .vtp or .vtu");
+  }
+  return reader;
+}
+
 constexpr VtkFormat formats[] = {
   {".vtp", true, plain<vtkXMLPolyDataReader>},
   {".vtk", true, legacyVtk},
@@ -45,8 +70,10 @@ constexpr VtkFormat formats[] = {
   {".vtm", true, plain<vtkXMLMultiBlockDataReader>},
   {".pvtp", true, plain<vtkXMLPPolyDataReader>},
   {".pvtu", true, plain<vtkXMLPUnstructuredGridReader>},
+  {".vtkhdf", true, loaded},
   {".gltf", true, plain<GltfReader>},
   {".glb", true, plain<GltfReader>},
+  {".3mf", true, loaded},
   {".vti", false, plain<vtkXMLImageDataReader>},
   {".vtr", false, plain<vtkXMLRectilinearGridReader>},
   {".vts", false, plain<vtkXMLStructuredGridReader>},

@@ -1,43 +1,15 @@
 #include "files/GltfReader.h"
 
-#include "files/Text.h"
-#include "program/Failure.h"
+#include "files/GltfDocument.h"
+#include "files/MeshBlock.h"
 
-#include "vtkCellArray.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkDoubleArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 
 #include <Eigen/Geometry>
 
-#define TINYGLTF_IMPLEMENTATION
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#define TINYGLTF_NO_EXTERNAL_IMAGE
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wall"
-#pragma GCC diagnostic ignored "-Wextra"
-#endif
-#include <tiny_gltf.h>
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
-
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <filesystem>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -47,182 +19,6 @@ namespace
 {
 
 using Transform = Eigen::Matrix4d;
-
-[[noreturn]] void refuse(const std::string& fileName, const std::string& what)
-{
-  throw Failure(EXIT_REFUSED, fileName, what);
-}
-
-/// A number of a component type, as it stands in memory.
-double numberAt(const unsigned char* bytes, int componentType, bool isNormalized)
-{
-  const auto read = [bytes](auto number)
-  {
-    std::memcpy(&number, bytes, sizeof number);
-    return number;
-  };
-  const auto shared = [isNormalized](double number, double most)
-  {
-    return isNormalized ? std::max(number / most, -1.0) : number;
-  };
-  switch (componentType)
-  {
-  case TINYGLTF_COMPONENT_TYPE_BYTE:
-    return shared(read(std::int8_t()), 127);
-  case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-    return shared(read(std::uint8_t()), 255);
-  case TINYGLTF_COMPONENT_TYPE_SHORT:
-    return shared(read(std::int16_t()), 32767);
-  case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-    return shared(read(std::uint16_t()), 65535);
-  case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    return read(std::uint32_t());
-  case TINYGLTF_COMPONENT_TYPE_FLOAT:
-    return read(float());
-  default:
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-}
-
-/// Gives all data in the text of a file the type of buffers, for the library knows a few types
-/// only.
-std::string withPlainUris(const std::string& text)
-{
-  const std::string mark = "\"data:", ending = ";base64,";
-  std::string result;
-  std::size_t done = 0;
-  for (std::size_t at = 0; (at = text.find(mark, done)) != std::string::npos;)
-  {
-    const std::size_t end = text.find(ending, at);
-    const std::size_t quote = text.find('"', at + 1);
-    const bool isData = end < quote;
-    result += text.substr(done, at - done) + mark + (isData ? "application/octet-stream" : "");
-    done = isData ? end : at + mark.size();
-  }
-  return result + text.substr(std::min(done, text.size()));
-}
-
-/// The parts of a file, each checked before it is looked at.
-class Document
-{
-public:
-  explicit Document(std::string fileName)
-    : fileName_(std::move(fileName))
-  {
-    tinygltf::TinyGLTF loader;
-    loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
-                            const unsigned char*, int, void*) { return true; },
-      nullptr);
-    std::string error, warning;
-    const bool isBinary = beginningOf(fileName_, 4) == "glTF";
-    const std::string text = isBinary ? "" : withPlainUris(contentsOf(fileName_));
-    const bool isRead = isBinary ? loader.LoadBinaryFromFile(&model_, &error, &warning, fileName_)
-                                 : loader.LoadASCIIFromString(&model_, &error, &warning,
-                                     text.data(), static_cast<unsigned int>(text.size()),
-                                     std::filesystem::path(fileName_).parent_path().string());
-    if (!isRead)
-    {
-      const std::string line = error.substr(0, error.find('\n'));
-      refuse(fileName_, "cannot be read as glTF: " + (line.empty() ? "it is damaged" : line));
-    }
-    for (const std::string& extension : model_.extensionsRequired)
-    {
-      const bool isKnown =
-        extension == "KHR_mesh_quantization" || extension == "EXT_mesh_gpu_instancing" ||
-        extension.rfind("KHR_materials_", 0) == 0 || extension.rfind("KHR_texture_", 0) == 0 ||
-        extension == "KHR_lights_punctual" || extension == "EXT_texture_webp";
-      if (!isKnown)
-      {
-        refuse(fileName_,
-          "needs the extension " + extension + "; export it without, uncompressed, or as .obj");
-      }
-    }
-  }
-
-  const tinygltf::Model& model() const { return model_; }
-
-  template <class Item>
-  const Item& item(const std::vector<Item>& items, int number, const char* kind) const
-  {
-    if (number < 0 || static_cast<std::size_t>(number) >= items.size())
-    {
-      refuse(fileName_, std::string("refers to ") + kind + " " + std::to_string(number) + " of " +
-                          std::to_string(items.size()) + "; it is damaged");
-    }
-    return items[static_cast<std::size_t>(number)];
-  }
-
-  /// The numbers of an accessor, `components` for each of its items.
-  std::vector<double> numbers(int accessorNumber, std::size_t components) const
-  {
-    const tinygltf::Accessor& accessor = this->item(model_.accessors, accessorNumber, "accessor");
-    if (static_cast<std::size_t>(std::max(
-          tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)), 0)) !=
-        components)
-    {
-      refuse(fileName_, "has an accessor of another type than it must be; it is damaged");
-    }
-    std::vector<double> result(accessor.count * components, 0);
-    if (accessor.bufferView >= 0)
-    {
-      this->readView(accessor.bufferView, accessor.byteOffset, accessor.componentType,
-        accessor.normalized, components, result.data(), accessor.count);
-    }
-    if (accessor.sparse.isSparse)
-    {
-      const auto count = static_cast<std::size_t>(std::max(accessor.sparse.count, 0));
-      std::vector<double> places(count), values(count * components);
-      this->readView(accessor.sparse.indices.bufferView,
-        static_cast<std::size_t>(std::max(accessor.sparse.indices.byteOffset, 0)),
-        accessor.sparse.indices.componentType, false, 1, places.data(), count);
-      this->readView(accessor.sparse.values.bufferView,
-        static_cast<std::size_t>(std::max(accessor.sparse.values.byteOffset, 0)),
-        accessor.componentType, accessor.normalized, components, values.data(), count);
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        if (!(places[i] < static_cast<double>(accessor.count)))
-        {
-          refuse(fileName_, "has a sparse accessor beyond its count; it is damaged");
-        }
-        std::copy_n(values.data() + i * components, components,
-          result.data() + static_cast<std::size_t>(places[i]) * components);
-      }
-    }
-    return result;
-  }
-
-private:
-  void readView(int viewNumber, std::size_t offset, int componentType, bool isNormalized,
-    std::size_t components, double* to, std::size_t count) const
-  {
-    const tinygltf::BufferView& view = this->item(model_.bufferViews, viewNumber, "buffer view");
-    const tinygltf::Buffer& buffer = this->item(model_.buffers, view.buffer, "buffer");
-    const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(componentType));
-    const std::size_t bytes = static_cast<std::size_t>(std::max(size, 0));
-    const std::size_t stride = view.byteStride > 0 ? view.byteStride : bytes * components;
-    const std::size_t available = std::min(view.byteOffset + view.byteLength, buffer.data.size());
-    const std::size_t first = view.byteOffset + offset;
-    const bool fits =
-      bytes > 0 && first <= available && view.byteOffset <= available &&
-      (count == 0 || (available - first >= bytes * components &&
-                       (available - first - bytes * components) / stride >= count - 1));
-    if (!fits)
-    {
-      refuse(fileName_, "has an accessor beyond its buffer; it is cut off or damaged");
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      for (std::size_t c = 0; c < components; ++c)
-      {
-        to[i * components + c] =
-          numberAt(&buffer.data[first + i * stride + c * bytes], componentType, isNormalized);
-      }
-    }
-  }
-
-  std::string fileName_;
-  tinygltf::Model model_;
-};
 
 Transform transformOf(const std::vector<double>& translation, const std::vector<double>& rotation,
   const std::vector<double>& scale)
@@ -250,17 +46,6 @@ Transform transformOf(const tinygltf::Node& node)
   return node.matrix.size() == 16 ? Transform(Eigen::Map<const Transform>(node.matrix.data()))
                                   : transformOf(node.translation, node.rotation, node.scale);
 }
-
-/// Points and cells of one block.
-struct Block
-{
-  std::string name;
-  std::vector<Eigen::Vector3d> points;
-  std::vector<Eigen::Vector3d> normals; ///< of a cloud
-  std::vector<std::array<vtkIdType, 3>> triangles;
-  std::vector<std::array<vtkIdType, 2>> lines;
-  std::vector<vtkIdType> vertices;
-};
 
 /// Makes blocks of the nodes of a scene.
 class Scene
@@ -307,7 +92,7 @@ public:
     }
   }
 
-  const std::vector<Block>& blocks() const { return blocks_; }
+  const std::vector<MeshBlock>& blocks() const { return blocks_; }
 
 private:
   /// Finds where a node and those below it stand. A node has one parent at most.
@@ -341,7 +126,7 @@ private:
       return;
     }
     const tinygltf::Mesh& mesh = document_.item(model_.meshes, node.mesh, "mesh");
-    Block& block = blocks_.emplace_back();
+    MeshBlock& block = blocks_.emplace_back();
     block.name = !node.name.empty() ? node.name : mesh.name;
     const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
     for (const tinygltf::Primitive& primitive : mesh.primitives)
@@ -455,7 +240,7 @@ private:
   }
 
   void addPrimitive(const tinygltf::Primitive& primitive, const tinygltf::Node& node,
-    const std::vector<double>& weights, const Transform& place, Block& block) const
+    const std::vector<double>& weights, const Transform& place, MeshBlock& block) const
   {
     const std::vector<double> positions = this->positionsOf(primitive, weights);
     const std::size_t vertices = positions.size() / 3;
@@ -504,7 +289,7 @@ private:
   }
 
   void addVertices(const tinygltf::Primitive& primitive, const Transform& place,
-    const std::vector<vtkIdType>& ids, std::size_t vertices, Block& block) const
+    const std::vector<vtkIdType>& ids, std::size_t vertices, MeshBlock& block) const
   {
     block.vertices.insert(block.vertices.end(), ids.begin(), ids.end());
     const auto normals = primitive.attributes.find("NORMAL");
@@ -538,62 +323,19 @@ private:
     }
   }
 
-  Document document_;
+  GltfDocument document_;
   const tinygltf::Model& model_;
   std::vector<Transform> places_; ///< by node
   std::vector<char> isVisited_;   ///< by node
   std::vector<int> order_;
-  std::vector<Block> blocks_;
+  std::vector<MeshBlock> blocks_;
 };
-
-/// Makes polydata of a block. Normals are of points without faces.
-vtkSmartPointer<vtkPolyData> polyDataOf(const Block& block)
-{
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Eigen::Vector3d& point : block.points)
-  {
-    points->InsertNextPoint(point.data());
-  }
-  vtkNew<vtkCellArray> triangles, lines, vertices;
-  for (const auto& triangle : block.triangles)
-  {
-    triangles->InsertNextCell(3, triangle.data());
-  }
-  for (const auto& line : block.lines)
-  {
-    lines->InsertNextCell(2, line.data());
-  }
-  for (const vtkIdType vertex : block.vertices)
-  {
-    vertices->InsertNextCell(1, &vertex);
-  }
-  data->SetPoints(points);
-  data->SetPolys(triangles);
-  data->SetLines(lines);
-  data->SetVerts(vertices);
-  if (block.triangles.empty() && !block.normals.empty())
-  {
-    vtkNew<vtkDoubleArray> normals;
-    normals->SetName("Normals");
-    normals->SetNumberOfComponents(3);
-    for (std::size_t i = 0; i < block.points.size(); ++i)
-    {
-      const Eigen::Vector3d normal =
-        i < block.normals.size() ? block.normals[i] : Eigen::Vector3d(0, 0, 0);
-      normals->InsertNextTuple(normal.data());
-    }
-    data->GetPointData()->SetNormals(normals);
-  }
-  return data;
-}
 
 /// Moves blocks of lines and points alone into the first block with faces, if there is one: they
 /// are cells there that bound nothing, and are counted.
-void mergeLoose(std::vector<Block>& blocks)
+void mergeLoose(std::vector<MeshBlock>& blocks)
 {
-  const auto hasFaces = [](const Block& block)
+  const auto hasFaces = [](const MeshBlock& block)
   {
     return !block.triangles.empty();
   };
@@ -602,7 +344,7 @@ void mergeLoose(std::vector<Block>& blocks)
   {
     return;
   }
-  for (const Block& block : blocks)
+  for (const MeshBlock& block : blocks)
   {
     const auto start = static_cast<vtkIdType>(first->points.size());
     if (hasFaces(block))
@@ -620,7 +362,7 @@ void mergeLoose(std::vector<Block>& blocks)
     }
   }
   blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
-                 [&hasFaces](const Block& block) { return !hasFaces(block); }),
+                 [&hasFaces](const MeshBlock& block) { return !hasFaces(block); }),
     blocks.end());
 }
 
@@ -635,16 +377,11 @@ int GltfReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformat
 {
   vtkMultiBlockDataSet* const output = vtkMultiBlockDataSet::GetData(outputs, 0);
   const Scene scene(fileName_);
-  std::vector<Block> blocks = scene.blocks();
+  std::vector<MeshBlock> blocks = scene.blocks();
   mergeLoose(blocks);
-  for (const Block& block : blocks)
+  for (const MeshBlock& block : blocks)
   {
-    const unsigned int number = output->GetNumberOfBlocks();
-    output->SetBlock(number, polyDataOf(block));
-    if (!block.name.empty())
-    {
-      output->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), block.name.c_str());
-    }
+    appendBlock(block, output);
   }
   return 1;
 }

@@ -50,6 +50,16 @@ bool isBinaryGltf(std::string_view text)
   return startsWith(text, "glTF");
 }
 
+bool isZip(std::string_view text)
+{
+  return startsWith(text, "PK\x03\x04");
+}
+
+bool isHdf5(std::string_view text)
+{
+  return startsWith(text, "\x89HDF\r\n\x1a\n");
+}
+
 bool isJson(std::string_view text)
 {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -66,7 +76,8 @@ struct Kind
 
 constexpr Kind kinds[] = {{"PLY", ".ply", isPly}, {"legacy VTK", ".vtk", isLegacyVtk},
   {"VTK XML", ".vtp .vtu .vtm .pvtp .pvtu .vti .vtr or .vts", isXml}, {"OFF", ".off", isOff},
-  {"binary glTF", ".glb", isBinaryGltf}, {"JSON", ".gltf", isJson}};
+  {"binary glTF", ".glb", isBinaryGltf}, {"JSON", ".gltf", isJson}, {"ZIP", ".3mf", isZip},
+  {"HDF5", ".vtkhdf", isHdf5}};
 
 /// Returns the kind for which `fits` holds; null if there is none.
 template <class Fits> const Kind* kindWhere(const Fits& fits)
@@ -82,7 +93,7 @@ const char* compressedKind(std::string_view head)
   {
     return "gzip";
   }
-  if (startsWith(head, "PK\x03\x04"))
+  if (isZip(head))
   {
     return "zip";
   }
@@ -108,7 +119,10 @@ void checkContentFits(const std::string& fileName)
   {
     head.erase(0, 3); // a byte order mark
   }
-  if (const char* compressed = compressedKind(head))
+  const Kind* const promised = kindWhere([&suffix](const Kind& kind)
+    { return std::string_view(kind.suffixes).find(suffix) != std::string_view::npos; });
+  if (const char* compressed = compressedKind(head);
+      compressed && !(promised && promised->isAnnounced(head)))
   {
     throw Failure(EXIT_REFUSED, fileName,
       "is not " + name + " but compressed with " + compressed + "; unpack it first" +
@@ -116,8 +130,6 @@ void checkContentFits(const std::string& fileName)
             ? ", or give it the suffix " + suffix + ".gz"
             : ""));
   }
-  const Kind* const promised = kindWhere([&suffix](const Kind& kind)
-    { return std::string_view(kind.suffixes).find(suffix) != std::string_view::npos; });
   const Kind* announced = kindWhere([&head](const Kind& kind) { return kind.isAnnounced(head); });
   if (isTable(fileName) && isOff(head))
   {

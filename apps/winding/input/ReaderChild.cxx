@@ -8,12 +8,17 @@
 #include "program/Failure.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkAppendDataSets.h"
 #include "vtkCellType.h"
 #include "vtkCommand.h"
 #include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointSet.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
@@ -125,6 +130,17 @@ struct ProgressSender
   }
 };
 
+struct NoteSender
+{
+  ByteSink& sink;
+
+  void send(vtkObject*, unsigned long, void* note)
+  {
+    sink.put(ReaderMessage::warning);
+    sink.put(std::string(static_cast<const char*>(note)));
+  }
+};
+
 /// Buffers and all else that does not depend on the file take less than this number of bytes.
 constexpr std::uintmax_t fixedBytes = std::uintmax_t(1) << 28;
 
@@ -174,9 +190,11 @@ void limitToReading(std::uintmax_t fileSize)
 /// Throws Failure for a source that holds anything but surfaces, unstructured grids or points.
 void checkKind(vtkDataObject* data, const std::string& fileName)
 {
+  bool isEmpty = true;
   forEachLeaf(data,
-    [&fileName](vtkDataObject* leaf)
+    [&](vtkDataObject* leaf)
     {
+      isEmpty = false;
       if (!leaf || (!leaf->IsA("vtkPolyData") && !leaf->IsA("vtkUnstructuredGrid") &&
                      !leaf->IsA("vtkStructuredGrid")))
       {
@@ -185,6 +203,10 @@ void checkKind(vtkDataObject* data, const std::string& fileName)
             "; a surface, an unstructured grid or points are needed");
       }
     });
+  if (isEmpty)
+  {
+    throw Failure(EXIT_REFUSED, fileName, "has no surface and no points in it; give another file");
+  }
 }
 
 /// Drops faces of a grid without polyhedra. VTK 9.1 allocates the cells of a .pvtu with types that
@@ -204,12 +226,47 @@ void dropStrayFaces(vtkUnstructuredGrid* grid)
 #endif
 }
 
+/// Returns data with each partitioned data set as one data set, and with a collection of these as
+/// blocks. Readers of VTKHDF give them from VTK 9.3 on.
+vtkSmartPointer<vtkDataObject> withoutPartitions(vtkDataObject* data)
+{
+  if (auto* const collection = vtkPartitionedDataSetCollection::SafeDownCast(data))
+  {
+    auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
+    {
+      blocks->SetBlock(i, withoutPartitions(collection->GetPartitionedDataSet(i)));
+      if (collection->HasMetaData(i))
+      {
+        blocks->GetMetaData(i)->Copy(collection->GetMetaData(i));
+      }
+    }
+    return blocks;
+  }
+  auto* const partitions = vtkPartitionedDataSet::SafeDownCast(data);
+  if (!partitions || partitions->IsA("vtkMultiPieceDataSet"))
+  {
+    return data;
+  }
+  vtkNew<vtkAppendDataSets> append;
+  forEachLeaf(partitions,
+    [&append](vtkDataObject* leaf)
+    {
+      append->SetOutputDataSetType(leaf->GetDataObjectType());
+      append->AddInputData(leaf);
+    });
+  append->Update();
+  return append->GetOutput();
+}
+
 vtkSmartPointer<vtkDataObject> read(
   const std::string& fileName, const VtkFormat& format, ByteSink& sink)
 {
   const vtkSmartPointer<vtkAlgorithm> reader = format.makeReader(fileName);
   ProgressSender progress{sink};
   reader->AddObserver(vtkCommand::ProgressEvent, &progress, &ProgressSender::send);
+  NoteSender notes{sink};
+  reader->AddObserver(vtkCommand::MessageEvent, &notes, &NoteSender::send);
   reader->Update();
   if (reader->GetErrorCode() != vtkErrorCode::NoError)
   {
@@ -217,7 +274,7 @@ vtkSmartPointer<vtkDataObject> read(
       std::string("cannot be read: ") +
         vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
   }
-  vtkSmartPointer<vtkDataObject> data = reader->GetOutputDataObject(0);
+  vtkSmartPointer<vtkDataObject> data = withoutPartitions(reader->GetOutputDataObject(0));
   dropStrayFaces(vtkUnstructuredGrid::SafeDownCast(data));
   if (format.isSource)
   {

@@ -1,0 +1,33 @@
+#include "files/LoadedReaders.h"
+
+#include "files/ThreeMfReader.h"
+
+#ifdef WINDING_HDF
+#include "vtkHDFReader.h"
+#endif
+
+#include <string>
+
+namespace
+{
+
+template <class Reader> vtkAlgorithm* readerOf(const char* fileName)
+{
+  Reader* const reader = Reader::New();
+  reader->SetFileName(fileName);
+  return reader;
+}
+
+} // namespace
+
+extern "C" __attribute__((visibility("default"))) vtkAlgorithm* windingMakeReader(
+  const char* suffix, const char* fileName)
+{
+#ifdef WINDING_HDF
+  if (suffix == std::string(".vtkhdf"))
+  {
+    return readerOf<vtkHDFReader>(fileName);
+  }
+#endif
+  return suffix == std::string(".3mf") ? readerOf<ThreeMfReader>(fileName) : nullptr;
+}

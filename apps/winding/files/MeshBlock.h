@@ -1,0 +1,25 @@
+#pragma once
+
+#include "vtkType.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkMultiBlockDataSet;
+
+/// Points and cells of a block that a reader makes. Its numbers of points are not checked.
+struct MeshBlock
+{
+  std::string name;
+  std::vector<Eigen::Vector3d> points;
+  std::vector<Eigen::Vector3d> normals; ///< of a cloud
+  std::vector<std::array<vtkIdType, 3>> triangles;
+  std::vector<std::array<vtkIdType, 2>> lines;
+  std::vector<vtkIdType> vertices;
+};
+
+/// Appends polydata of `block` to `output`, with its name. Normals are of points without faces.
+void appendBlock(const MeshBlock& block, vtkMultiBlockDataSet* output);
