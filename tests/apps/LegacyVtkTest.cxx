@@ -75,6 +75,35 @@ TEST_P(LegacyVtk, IsRead)
   EXPECT_EQ(run.json()["triangles"], this->GetParam().triangles) << run;
 }
 
+TEST(LegacyVtkNumbers, MayBeNotFinite)
+{
+  // VTK writes these numbers, and refuses them itself.
+  const TemporaryFolder folder;
+  const std::string faces = "POLYGONS 4 16\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  for (const std::string type : {"float", "double"})
+  {
+    const std::string in = folder.write("in.vtk",
+      head("3.0", "POLYDATA") + "POINTS 6 " + type + "\n0 0 0 1 0 0 0 1 0\n0 0 1 nan -nan inf\n" +
+        "-inf NaN 0\n" + faces + "POINT_DATA 6\nSCALARS nan " + type +
+        " 1\nLOOKUP_TABLE default\nnan 1 -inf inf 5 2.5\n");
+    const Outcome run = runProgram({"check", in, "--json"});
+    ASSERT_EQ(run.status, 0) << run;
+    EXPECT_EQ(run.json()["triangles"], 4) << run;
+    EXPECT_EQ(run.json()["closed"], true) << run;
+    const Outcome probe =
+      runProgram({"probe", folder.write("a.vtk", head("3.0", "POLYDATA") + points + faces), in,
+        "-o", folder.path("out.csv")});
+    ASSERT_EQ(probe.status, 0) << probe;
+    const std::string table = contentsOf(folder.path("out.csv"));
+    EXPECT_NE(table.find("nan,nan,inf"), std::string::npos) << table;
+    EXPECT_NE(table.find("-inf,nan,0"), std::string::npos) << table;
+    EXPECT_EQ(table.find("e+38"), std::string::npos) << table;
+  }
+  const std::string words = folder.write("words.vtk",
+    head("4.2", "POLYDATA") + "FIELD FieldData 1\nwords 1 1 string\nnan\n" + points + faces);
+  EXPECT_EQ(runProgram({"check", words}).status, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Whole, LegacyVtk, testing::ValuesIn(wholeFiles),
   [](const testing::TestParamInfo<WholeFile>& file) { return file.param.name; });
 

@@ -1,11 +1,11 @@
 #include "files/Formats.h"
 
 #include "files/GltfReader.h"
+#include "files/LegacyVtkReader.h"
 #include "files/LoadedReaders.h"
 #include "files/Text.h"
 #include "program/Failure.h"
 
-#include "vtkDataSetReader.h"
 #include "vtkSourceReader.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
@@ -27,18 +27,6 @@ template <class Reader> vtkSmartPointer<vtkAlgorithm> plain(const std::string& f
 {
   const auto reader = vtkSmartPointer<Reader>::New();
   reader->SetFileName(fileName.c_str());
-  return reader;
-}
-
-vtkSmartPointer<vtkAlgorithm> legacyVtk(const std::string& fileName)
-{
-  const auto reader = vtkSmartPointer<vtkDataSetReader>::New();
-  reader->SetFileName(fileName.c_str());
-  // By default the reader takes the first array of each kind only.
-  reader->ReadAllScalarsOn();
-  reader->ReadAllVectorsOn();
-  reader->ReadAllNormalsOn();
-  reader->ReadAllFieldsOn();
   return reader;
 }
 
@@ -65,7 +53,7 @@ vtkSmartPointer<vtkAlgorithm> loaded(const std::string& fileName)
 
 constexpr VtkFormat formats[] = {
   {".vtp", true, plain<vtkXMLPolyDataReader>},
-  {".vtk", true, legacyVtk},
+  {".vtk", true, plain<LegacyVtkReader>},
   {".vtu", true, plain<vtkXMLUnstructuredGridReader>},
   {".vtm", true, plain<vtkXMLMultiBlockDataReader>},
   {".pvtp", true, plain<vtkXMLPPolyDataReader>},
