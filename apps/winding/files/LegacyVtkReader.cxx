@@ -85,9 +85,11 @@ std::string withSubstitutes(std::string_view text)
 {
   std::string result;
   std::size_t start = 0, done = 0;
-  while (start < text.size())
+  // The words in question have this letter, and finite numbers have not.
+  while ((start = text.find_first_of("nN", start)) != std::string_view::npos)
   {
-    const std::size_t begin = start;
+    const std::size_t begin = text.rfind('\n', start) + 1;
+    start = begin;
     std::string_view line = takeLine(text, start);
     if (line.size() > 6 && line.substr(line.size() - 6) == "string")
     {
