@@ -347,7 +347,8 @@ std::vector<const PlyProperty*> PlyElement::textureCoordinates() const
   for (const std::vector<const char*>& pair : names)
   {
     const std::vector<const PlyProperty*> found = this->findNumbers(pair);
-    if (!found.empty())
+    // Others only share their names.
+    if (!found.empty() && isInteger(found[0]->type) == isInteger(found[1]->type))
     {
       return found;
     }

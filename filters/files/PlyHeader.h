@@ -67,8 +67,8 @@ struct PlyElement
   /// where they are no single bytes.
   std::vector<const PlyProperty*> color() const;
 
-  /// The two texture coordinates of a vertex, by any of their usual names; none where there are
-  /// none.
+  /// The two texture coordinates of a vertex, by any of their usual names, both whole numbers or
+  /// neither; none where there are none.
   std::vector<const PlyProperty*> textureCoordinates() const;
 
   /// All other single numbers of a vertex.

@@ -279,6 +279,31 @@ TEST_F(NormalsCommand, KeepWhatPointsCameWith)
   EXPECT_TRUE(this->run(in, "a.csv", {"--columns", "East"}).saysInOneLine({"x=Easting"}));
 }
 
+TEST_F(NormalsCommand, GiveColumnsNamesThatDiffer)
+{
+  // Colours beyond bytes stay numbers, all of them, and texture coordinates come back as such.
+  std::string ply = "ply\nformat ascii 1.0\nelement vertex 66\n";
+  for (const char* const property : {"float x", "float y", "float z", "ushort red", "ushort green",
+         "ushort blue", "float u", "float v", "float \xC3\xA4", "float \xC3\xB6"})
+  {
+    ply += std::string("property ") + property + "\n";
+  }
+  ply += "end_header\n";
+  for (const auto& at : sphere(2).points)
+  {
+    ply += std::to_string(at[0]) + " " + std::to_string(at[1]) + " " + std::to_string(at[2]) +
+           " 1000 2000 3 0.25 0.5 7 8\n";
+  }
+  const std::string in = folder.write("in.ply", ply);
+  ASSERT_EQ(this->run(in, "out.ply").err, "");
+  const std::string out = contentsOf(folder.path("out.ply"));
+  EXPECT_NE(out.find("property double red\nproperty double green\nproperty double blue\n"),
+    std::string::npos)
+    << out.substr(0, 600);
+  EXPECT_NE(out.find("property double s\nproperty double t\n"), std::string::npos);
+  EXPECT_NE(out.find("property double __\nproperty double ___input\n"), std::string::npos);
+}
+
 TEST_F(NormalsCommand, OfNothingOrOfPointsThatAreFewAreRefusedOrWarnedOf)
 {
   const Outcome nothing = this->run(folder.write("no.pwn", "0\n"), "a.ply");

@@ -332,6 +332,10 @@ TEST(PlyFile, ColoursAndTextureCoordinates)
       "1 2 3 0.5 0.5 0.5 1 0.1 0.2\n");
   EXPECT_TRUE(none.colors.empty());
   EXPECT_TRUE(none.textureCoordinates.empty());
+  const std::string unlike = head("ascii", "element vertex 1\nproperty float x\n"
+                                           "property float y\nproperty float z\n"
+                                           "property short s\nproperty double t\n");
+  EXPECT_TRUE(parsed(readPly, unlike + "1 2 3 4 1000000000.5\n").textureCoordinates.empty());
 }
 
 TEST(PlyFile, OtherNumbersOfVerticesAreReadWhereTheyAreWanted)
@@ -340,7 +344,7 @@ TEST(PlyFile, OtherNumbersOfVerticesAreReadWhereTheyAreWanted)
   {
     return readPlyColumns(file, {{}, true}, executor);
   };
-  for (const std::string& format : formats)
+  for (const std::string format : formats)
   {
     Body body(format);
     for (int i = 0; i < 3; ++i)

@@ -80,6 +80,7 @@ struct Column
 std::vector<Column> otherColumns(vtkPolyData* cloud, std::set<std::string> taken)
 {
   const char* const colors[] = {"red", "green", "blue", "alpha"};
+  const char* const texture[] = {"s", "t"};
   vtkPointData* const arrays = cloud->GetPointData();
   std::vector<Column> columns;
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
@@ -95,8 +96,9 @@ std::vector<Column> otherColumns(vtkPolyData* cloud, std::set<std::string> taken
       array->GetDataType() == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
     for (int component = 0; component < components; ++component)
     {
-      std::string own = areColors         ? colors[component]
-                        : components == 1 ? name
+      std::string own = areColors                                          ? colors[component]
+                        : array == arrays->GetTCoords() && components == 2 ? texture[component]
+                        : components == 1                                  ? name
                                           : name + ":" + std::to_string(component);
       while (own.empty() || !taken.insert(inSmallLetters(own)).second)
       {
@@ -203,25 +205,55 @@ bool fitBytes(const Column& column)
   return fit;
 }
 
-/// Returns the properties that points came with. Colours called r, g and b get the names of PLY.
-std::vector<Property> otherProperties(vtkPolyData* cloud)
+/// Returns the name of PLY for a colour called red, r and so on; empty for other names.
+std::string colorOf(const std::string& name)
 {
   const std::map<std::string, std::string> colors = {{"r", "red"}, {"g", "green"}, {"b", "blue"},
     {"red", "red"}, {"green", "green"}, {"blue", "blue"}, {"alpha", "alpha"}};
+  const auto found = colors.find(inSmallLetters(name));
+  return found == colors.end() ? "" : found->second;
+}
+
+/// Returns whether columns are a colour of bytes: red, green and blue, once each, and alpha or not.
+bool areColorOfBytes(const std::vector<Column>& columns)
+{
+  std::multiset<std::string> colors;
+  for (const Column& column : columns)
+  {
+    const std::string color = column.numbers() ? colorOf(column.name) : "";
+    if (!color.empty() && !fitBytes(column))
+    {
+      return false;
+    }
+    colors.insert(color);
+  }
+  return colors.count("red") == 1 && colors.count("green") == 1 && colors.count("blue") == 1 &&
+         colors.count("alpha") <= 1;
+}
+
+/// Returns the properties that points came with, by names that differ.
+std::vector<Property> otherProperties(vtkPolyData* cloud)
+{
+  std::set<std::string> taken = {"x", "y", "z", "nx", "ny", "nz"};
+  const std::vector<Column> columns = otherColumns(cloud, taken);
+  const bool haveColor = areColorOfBytes(columns);
   std::vector<Property> properties;
-  for (Column& column : otherColumns(cloud, {"x", "y", "z", "nx", "ny", "nz"}))
+  for (Column column : columns)
   {
     if (!column.numbers())
     {
       continue; // PLY has no texts
     }
-    const auto color = colors.find(inSmallLetters(column.name));
-    const bool isByte = (color != colors.end() && fitBytes(column)) ||
-                        column.numbers()->GetDataType() == VTK_UNSIGNED_CHAR;
-    column.name = color != colors.end() && isByte ? color->second : column.name;
+    const std::string color = haveColor ? colorOf(column.name) : "";
+    column.name = color.empty() ? column.name : color;
     std::replace_if(
       column.name.begin(), column.name.end(), [](char c) { return c <= ' ' || c > '~'; }, '_');
-    properties.push_back({column, isByte});
+    while (!taken.insert(column.name).second)
+    {
+      column.name += "_input";
+    }
+    properties.push_back(
+      {column, !color.empty() || column.numbers()->GetDataType() == VTK_UNSIGNED_CHAR});
   }
   return properties;
 }
