@@ -194,6 +194,15 @@ TEST_F(ThreeMf, TakesPartsFromOtherModels)
   const nlohmann::json report = this->check(packageOf(model, parts));
   EXPECT_NEAR(report["volume"], 3000, 1e-9); // centimetres in a model of millimetres
   EXPECT_EQ(report["bbox"], (std::vector<double>{0, 0, 0, 30, 10, 10}));
+  // Shifts within a part are in its unit, too.
+  const std::string shifted =
+    modelOf(objectOf(R"(id="3")", cubesOf(1)) +
+              objectOf(R"(id="1")", componentsOf(R"(<component objectid="3")"
+                                                 R"( transform="1 0 0 0 1 0 0 0 1 2 0 0"/>)")) +
+              objectOf(R"(id="2")", cubesOf(1)),
+      "", attributes + R"( unit="centimeter")");
+  EXPECT_EQ(this->check(packageOf(model, {{"3D/Objects/b.model", shifted}}))["bbox"],
+    (std::vector<double>{0, 0, 0, 35, 10, 10}));
   // The slicer has the names, and modifiers, which are no solids.
   const auto settings = [&](const std::string& kind)
   {
@@ -205,8 +214,8 @@ TEST_F(ThreeMf, TakesPartsFromOtherModels)
   };
   EXPECT_EQ(this->names(packageOf(model, settings("normal_part"))),
     (std::vector<std::string>{"lid", "box"}));
-  const nlohmann::json rest = this->check(packageOf(model, settings("negative_part")),
-    "one of its parts is a modifier or a negative of a slicer and is left out");
+  const nlohmann::json rest = this->check(
+    packageOf(model, settings("negative_part")), "left out: 1 modifier or negative of a slicer");
   EXPECT_NEAR(rest["volume"], 1000, 1e-9);
 }
 
@@ -225,8 +234,96 @@ TEST_F(ThreeMf, PartsRangesOfTriangles)
   EXPECT_EQ(this->names(packageOf(model, settings("ModelPart"))),
     (std::vector<std::string>{"left", "plate"}));
   const nlohmann::json rest = this->check(packageOf(model, settings("ParameterModifier")),
-    "one of its parts is a modifier or a negative of a slicer and is left out");
+    "left out: 1 modifier or negative of a slicer");
   EXPECT_EQ(rest["triangles"], 12);
+}
+
+TEST_F(ThreeMf, KeepsTrianglesThatNoRangeNames)
+{
+  const auto settings = [](const std::string& ranges)
+  {
+    return Files{{"Metadata/Slic3r_PE_model.config",
+      "<config><object id=\"1\">" + ranges + "</object></config>"}};
+  };
+  const std::string model =
+    modelOf(objectOf(R"(id="1" name="plate")", cubesOf(3)), R"(<item objectid="1"/>)");
+  const std::string first = R"(<volume firstid="0" lastid="11"><metadata key="name" value="a"/>)"
+                            R"(<metadata key="volume_type" value="Unknown"/></volume>)";
+  EXPECT_NEAR(this->check(packageOf(model, settings(first)))["volume"], 3, 1e-12);
+  EXPECT_EQ(
+    this->names(packageOf(model, settings(first))), (std::vector<std::string>{"a", "plate"}));
+  for (const std::string range : {R"(<volume firstid="12" lastid="36"/>)", "<volume/>",
+         R"(<volume firstid="5" lastid="3"/>)", R"(<volume firstid="3" lastid="20"/>)"})
+  {
+    const nlohmann::json report = this->check(packageOf(model, settings(first + range)),
+      "the parts that a slicer notes contradict 1 of its meshes, and are not looked at");
+    EXPECT_NEAR(report["volume"], 3, 1e-12) << range;
+  }
+  const nlohmann::json damaged = this->check(packageOf(model, settings("<volume")),
+    "its Metadata/Slic3r_PE_model.config is no whole XML; it is damaged, so parts of a slicer are "
+    "not known");
+  EXPECT_NEAR(damaged["volume"], 3, 1e-12);
+}
+
+TEST_F(ThreeMf, NamesAllThatItLeavesOut)
+{
+  const auto ofCura = [](const std::string& note)
+  {
+    return "<metadatagroup><metadata name=\"cura:" + note + "\">True</metadata></metadatagroup>";
+  };
+  const std::string objects =
+    objectOf(R"(id="1")", cubesOf(1)) + objectOf(R"(id="2")", ofCura("infill_mesh") + cubesOf(2)) +
+    objectOf(R"(id="3")", ofCura("support_mesh") + cubesOf(2)) + objectOf(R"(id="4")", "<mesh/>") +
+    objectOf(R"(id="5")", cubesOf(1)) + objectOf(R"(id="6")", cubesOf(1));
+  std::string items;
+  for (const char* const id : {"1", "2", "3", "4"})
+  {
+    items += std::string("<item objectid=\"") + id + "\"/>";
+  }
+  const nlohmann::json report = this->check(packageOf(modelOf(objects, items)),
+    "left out: 1 support, 1 modifier or negative of a slicer, 1 object without triangles, 2 "
+    "objects outside of its build");
+  EXPECT_NEAR(report["volume"], 1, 1e-12);
+}
+
+TEST_F(ThreeMf, FindsPartsByAnyNamesForThem)
+{
+  const std::string model = modelOf(objectOf(R"(id="1")", cubesOf(1)), R"(<item objectid="1"/>)");
+  const std::pair<const char*, const char*> names[] = {{"/3D/a.model", "3d/A.model"},
+    {"./3D/../3D/a.model", "3D/a.model"}, {"3D\\a.model", "/3D/a.model"},
+    {"/3D/a%20b.model", "3D/a b.model"}, {"3D/a.model", "3D\\a.model"}};
+  for (const auto& [target, name] : names)
+  {
+    const std::string content =
+      zipOf({{"_rels/.rels", std::string("<R><Relationship Target=\"") + target +
+                               "\" Type=\"http://a/3dmodel\"/></R>"},
+        {name, model}});
+    EXPECT_NEAR(this->check(content)["volume"], 1, 1e-12) << target << " " << name;
+  }
+  EXPECT_NEAR(this->check(zipOf({{"3D/3dmodel.model", model}}))["volume"], 1, 1e-12);
+}
+
+TEST_F(ThreeMf, MayHaveManyParts)
+{
+  // A small file says much. Each block takes a few messages between processes.
+  constexpr int count = 6000;
+  std::string items;
+  for (int i = 0; i < count; ++i)
+  {
+    items +=
+      R"(<item objectid="1" transform="1 0 0 0 1 0 0 0 1 )" + std::to_string(2 * i) + " 0 0\"/>";
+  }
+  const std::string cube = objectOf(R"(id="1")", cubesOf(1));
+  EXPECT_NEAR(this->check(packageOf(modelOf(cube, items)))["volume"], count, 1e-6);
+  // And none says more than there can be.
+  std::string pairs = cube;
+  for (int i = 2; i < 50; ++i)
+  {
+    const std::string one = "<component objectid=\"" + std::to_string(i - 1) + "\"/>";
+    pairs += objectOf("id=\"" + std::to_string(i) + "\"", componentsOf(one + one));
+  }
+  this->expectRefused(
+    packageOf(modelOf(pairs, R"(<item objectid="49"/>)")), "its build has too many triangles");
 }
 
 TEST_F(ThreeMf, LeavesSupportsOut)
@@ -235,7 +332,7 @@ TEST_F(ThreeMf, LeavesSupportsOut)
     objectOf(R"(id="1")", cubesOf(1)) + objectOf(R"(id="2" type="support")", cubesOf(2));
   const nlohmann::json report =
     this->check(packageOf(modelOf(objects, R"(<item objectid="1"/><item objectid="2"/>)")),
-      "one of its parts is a support and is left out");
+      "left out: 1 support");
   EXPECT_NEAR(report["volume"], 1, 1e-12);
 }
 
@@ -250,7 +347,7 @@ TEST_F(ThreeMf, IsRefusedInOneLineWhereItIsDamaged)
   std::string changed = whole; // the sum of the file no longer holds
   changed[changed.find("vertex x=\"1\"") + 10] = '3';
   this->expectRefused(changed, "cannot be unpacked; it is damaged");
-  this->expectRefused(packageOf("<model><resources>"), "Error parsing XML");
+  this->expectRefused(packageOf("<model><resources>"), "its 3D/a.model is no whole XML");
   this->expectRefused(zipOf({{"a.stl", "solid"}}), "has no _rels/.rels in it");
   this->expectRefused(packageOf(modelOf(cube, R"(<item objectid="7"/>)")), "an object 7 that");
   this->expectRefused(packageOf(modelOf("", "")), "has no surface and no points in it");
@@ -258,6 +355,18 @@ TEST_F(ThreeMf, IsRefusedInOneLineWhereItIsDamaged)
     packageOf(modelOf(objectOf(R"(id="1")", componentsOf(R"(<component objectid="1"/>)")), item)),
     "is a component of itself");
   this->expectRefused(packageOf(modelOf(cube, item, R"(unit="cubit")")), "the unit 'cubit'");
+  this->expectRefused(packageOf(modelOf(cube + cube, item)), "the id 1 twice of <object>");
+  for (const std::string number : {"0,5", "0x1", "", "a"})
+  {
+    std::string text = modelOf(cube, item);
+    text.replace(text.find("x=\"1\"") + 3, 1, number);
+    this->expectRefused(packageOf(text), "'" + number + "' for x of <vertex>");
+  }
+  const std::string turned = R"(<item objectid="1" transform="1 0 0 0 1 0 0 0 1 )";
+  this->expectRefused(
+    packageOf(modelOf(cube, turned + "2 3\"/>")), "11 numbers, not 12, for transform of <item>");
+  this->expectRefused(
+    packageOf(modelOf(cube, turned + "1,5 0 0\"/>")), "'1,5' for transform of <item>");
   this->expectRefused(
     packageOf(modelOf(cube, item, R"(requiredextensions="b" xmlns:b="http://a/beamlattice/1")")),
     "needs the extension http://a/beamlattice/1");

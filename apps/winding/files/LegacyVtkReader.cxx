@@ -50,7 +50,7 @@ const Substitute* substituteFor(std::string_view word)
                                                                                     : nullptr;
 }
 
-/// Whether a line is of numbers alone, some of which are not finite.
+/// Whether a line is of numbers alone, and some are not finite.
 bool needsSubstitutes(std::string_view line)
 {
   bool needsAny = false;

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -109,6 +110,21 @@ void appendExact(std::string& text, double value)
 {
   char digits[32];
   text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+
+std::string withoutPercentCodes(const std::string& name)
+{
+  std::string result;
+  for (std::size_t i = 0; i < name.size(); ++i)
+  {
+    const std::string code = name[i] == '%' ? name.substr(i + 1, 2) : "";
+    char* end = nullptr;
+    const long letter = std::strtol(code.c_str(), &end, 16);
+    const bool isCode = code.size() == 2 && *end == '\0';
+    result += isCode ? static_cast<char>(letter) : name[i];
+    i += isCode ? 2 : 0;
+  }
+  return result;
 }
 
 std::string exact(double value)

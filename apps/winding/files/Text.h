@@ -28,6 +28,9 @@ bool parseInteger(std::string_view word, long long& value);
 /// Returns a text with small letters for capital ones, as far as ASCII has them.
 std::string inSmallLetters(std::string_view text);
 
+/// Returns a name with the letters that percent codes of an URI stand for.
+std::string withoutPercentCodes(const std::string& name);
+
 /// Returns the shortest number with which a double comes back with the same bits.
 std::string exact(double value);
 

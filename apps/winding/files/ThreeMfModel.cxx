@@ -7,34 +7,50 @@
 #include "vtkObjectFactory.h"
 #include "vtkXMLParser.h"
 
-#include <cstdlib>
-#include <functional>
-#include <limits>
+#include <algorithm>
+#include <charconv>
+#include <exception>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
 namespace
 {
+
+bool startsWith(std::string_view text, std::string_view start)
+{
+  return text.substr(0, start.size()) == start;
+}
 
 bool endsWith(std::string_view text, std::string_view end)
 {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-/// The attributes of an element.
-class Attributes
+/// Takes blanks off both ends of a text.
+std::string trimmed(std::string_view text)
 {
-public:
-  explicit Attributes(const char** pairs)
-    : pairs_(pairs)
-  {
-  }
+  const std::string_view blanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(blanks);
+  return first == std::string_view::npos
+           ? std::string()
+           : std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
+}
+
+/// An element of a part, with its attributes, from its begin to its end.
+struct Element
+{
+  const ZipArchive& archive;
+  std::string_view part;
+  std::string_view name;
+  const char** attributes;
 
   /// The value of an attribute; null where there is none.
-  const char* find(std::string_view name) const
+  const char* find(std::string_view attribute) const
   {
-    for (const char** pair = pairs_; *pair; pair += 2)
+    for (const char** pair = attributes; *pair; pair += 2)
     {
-      if (name == *pair)
+      if (attribute == *pair)
       {
         return pair[1];
       }
@@ -42,115 +58,179 @@ public:
     return nullptr;
   }
 
-  std::string text(std::string_view name) const
+  /// The value of an attribute without blanks at its ends; empty where there is none.
+  std::string text(std::string_view attribute) const
   {
-    const char* const value = this->find(name);
-    return value ? value : "";
+    const char* const value = this->find(attribute);
+    return value ? trimmed(value) : std::string();
   }
 
-  double number(std::string_view name) const
+  double number(std::string_view attribute) const
   {
-    const char* const value = this->find(name);
-    return value ? std::strtod(value, nullptr) : std::numeric_limits<double>::quiet_NaN();
+    const char* const value = this->find(attribute);
+    return this->numberIn(value ? trimmed(value) : std::string(), attribute);
+  }
+
+  /// Reads the number that is all of a word, or refuses the file.
+  double numberIn(std::string_view word, std::string_view attribute) const
+  {
+    const std::string_view unsignedWord = startsWith(word, "+") ? word.substr(1) : word;
+    double number = 0;
+    const char* const end = unsignedWord.data() + unsignedWord.size();
+    const auto [stop, error] = std::from_chars(unsignedWord.data(), end, number);
+    const bool isBeyond = error == std::errc::result_out_of_range; // too large, or too small
+    if (stop != end || (error != std::errc() && !isBeyond))
+    {
+      this->refuse("'" + std::string(word.substr(0, 30)) + "' for " + std::string(attribute));
+    }
+    return isBeyond ? std::strtod(std::string(word).c_str(), nullptr) : number;
   }
 
   /// A whole number; -1 where there is none.
-  vtkIdType index(std::string_view name) const
+  long long index(std::string_view attribute) const
   {
     long long number = -1;
-    const char* const value = this->find(name);
-    return value && parseInteger(value, number) ? static_cast<vtkIdType>(number) : -1;
+    return parseInteger(this->text(attribute), number) ? number : -1;
   }
 
-  /// The path of a part, by the production extension; else empty.
-  std::string pathOfPart() const
+  [[noreturn]] void refuse(const std::string& what) const
   {
-    for (const char** pair = pairs_; *pair; pair += 2)
-    {
-      if (endsWith(*pair, ":path"))
-      {
-        return pair[1];
-      }
-    }
-    return "";
+    archive.refuse("its " + std::string(part) + " has " + what + " of <" + std::string(name) +
+                   ">; it is damaged");
   }
-
-private:
-  const char** pairs_;
 };
 
-/// Calls a function for each element of a text that begins.
+/// Takes the elements of a part one after the other.
+class ElementTaker
+{
+public:
+  virtual ~ElementTaker() = default;
+  virtual void begin(const Element& element) = 0;
+  /// The text stands before the end, behind all other elements.
+  virtual void end(std::string_view name, const std::string& text) = 0;
+};
+
+/// Hands elements on. What a taker throws is kept, for it must not go through the parser's C.
 class ElementParser : public vtkXMLParser
 {
 public:
   static ElementParser* New();
   vtkTypeMacro(ElementParser, vtkXMLParser);
 
-  std::function<void(std::string_view, const Attributes&)> start;
+  ElementTaker* taker = nullptr;
+  const ZipArchive* archive = nullptr;
+  std::string part;
+  std::exception_ptr fault;
+  bool isDamaged = false;
 
 protected:
   void StartElement(const char* name, const char** attributes) override
   {
-    start(name, Attributes(attributes));
+    text_.clear();
+    this->keepFault([&] { taker->begin({*archive, part, name, attributes}); });
   }
-  void EndElement(const char*) override {}
+  void EndElement(const char* name) override
+  {
+    this->keepFault([&] { taker->end(name, text_); });
+    text_.clear();
+  }
+  void CharacterDataHandler(const char* text, int length) override
+  {
+    constexpr std::size_t most = 100; // nothing longer is looked at
+    text_.append(
+      text, std::min(static_cast<std::size_t>(length), most - std::min(most, text_.size())));
+  }
+  void ReportXmlParseError() override { isDamaged = true; }
+
+private:
+  template <class Work> void keepFault(const Work& work)
+  {
+    try
+    {
+      if (!fault)
+      {
+        work();
+      }
+    }
+    catch (...)
+    {
+      fault = std::current_exception();
+    }
+  }
+
+  std::string text_;
 };
 
 vtkStandardNewMacro(ElementParser);
 
-/// Calls `start` for each element of a file that begins. VTK reports what is no XML.
-void forEachElement(const ZipArchive& archive, const std::string& name,
-  const std::function<void(std::string_view, const Attributes&)>& start)
+/// Gives the elements of a part to a taker. Throws Failure for a part that is no whole XML.
+void takeElements(const ZipArchive& archive, const std::string& part, ElementTaker& taker)
 {
   vtkNew<ElementParser> parser;
-  parser->start = start;
+  parser->taker = &taker;
+  parser->archive = &archive;
+  parser->part = part;
   parser->InitializeParser();
-  archive.read(name, [&parser](std::string_view bytes)
-    { parser->ParseChunk(bytes.data(), static_cast<unsigned int>(bytes.size())); });
-  parser->CleanupParser();
-}
-
-/// The matrix of twelve numbers, which the format applies to rows.
-Eigen::Matrix4d transformOf(const std::string& text)
-{
-  Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();
-  std::string_view left = text;
-  for (Eigen::Index i = 0; i < 12 && !text.empty(); ++i)
+  const auto check = [&]
   {
-    const std::string word(takeWord(left));
-    transform(i % 3, i / 3) =
-      word.empty() ? std::numeric_limits<double>::quiet_NaN() : std::strtod(word.c_str(), nullptr);
-  }
-  return transform;
+    if (parser->fault)
+    {
+      std::rethrow_exception(parser->fault);
+    }
+    if (parser->isDamaged)
+    {
+      archive.refuse("its " + part + " is no whole XML; it is damaged");
+    }
+  };
+  archive.read(part,
+    [&](std::string_view bytes)
+    {
+      parser->ParseChunk(bytes.data(), static_cast<unsigned int>(bytes.size()));
+      check();
+    });
+  parser->CleanupParser();
+  check();
 }
 
-/// The name of a part in the archive, without the slash in front.
-std::string inArchive(std::string part)
+struct Unit
 {
-  part.erase(0, part.find_first_not_of('/'));
-  return part;
-}
+  const char* name;
+  const char* many;
+  double millimetres;
+};
 
-ThreeMfPlace placeOf(const Attributes& attributes)
-{
-  ThreeMfPlace place;
-  place.part = inArchive(attributes.pathOfPart());
-  place.id = attributes.text("objectid");
-  place.transform = transformOf(attributes.text("transform"));
-  return place;
-}
+constexpr Unit units[] = {{"micron", "micrometres", 0.001}, {"millimeter", "millimetres", 1},
+  {"centimeter", "centimetres", 10}, {"inch", "inches", 25.4}, {"foot", "feet", 304.8},
+  {"meter", "metres", 1000}};
 
-/// Takes the elements of a model part.
-class ModelElements
+/// Reads the relationships of a package.
+class Relationships : public ElementTaker
 {
 public:
-  void take(std::string_view name, const Attributes& attributes)
+  void begin(const Element& element) override
   {
+    if (first.empty() && endsWith(element.text("Type"), "/3dmodel"))
+    {
+      first = plainPath(element.text("Target"));
+    }
+  }
+  void end(std::string_view, const std::string&) override {}
+
+  std::string first;
+};
+
+/// Reads a model part.
+class ModelElements : public ElementTaker
+{
+public:
+  void begin(const Element& element) override
+  {
+    std::string_view name = element.name;
     if (!isBegun_ && endsWith(name, "model"))
     {
-      this->begin(name, attributes);
+      this->beginModel(element);
     }
-    if (name.substr(0, prefix_.size()) != prefix_)
+    if (!startsWith(name, prefix_))
     {
       return; // of an extension
     }
@@ -158,124 +238,247 @@ public:
     if (name == "vertex" && object_)
     {
       object_->mesh.points.emplace_back(
-        attributes.number("x"), attributes.number("y"), attributes.number("z"));
+        element.number("x"), element.number("y"), element.number("z"));
     }
     else if (name == "triangle" && object_)
     {
       object_->mesh.triangles.push_back(
-        {attributes.index("v1"), attributes.index("v2"), attributes.index("v3")});
+        {element.index("v1"), element.index("v2"), element.index("v3")});
     }
     else if (name == "object")
     {
-      object_ = &model.objects[attributes.text("id")];
-      object_->type = attributes.text("type");
-      object_->mesh.name = attributes.text("name");
+      this->beginObject(element);
     }
     else if (name == "component" && object_)
     {
-      object_->components.push_back(placeOf(attributes));
+      object_->components.push_back(this->placeOf(element));
     }
     else if (name == "item")
     {
-      model.items.push_back(placeOf(attributes));
+      model.items.push_back(this->placeOf(element));
+    }
+    else if (name == "metadata")
+    {
+      note_ = element.text("name");
+    }
+  }
+
+  void end(std::string_view name, const std::string& text) override
+  {
+    if (name == prefix_ + "object")
+    {
+      object_ = nullptr;
+    }
+    else if (name == prefix_ + "metadata")
+    {
+      this->takeNote(trimmed(text));
     }
   }
 
   ThreeMfModel model;
 
 private:
-  void begin(std::string_view name, const Attributes& attributes)
+  void beginModel(const Element& element)
   {
     isBegun_ = true;
-    prefix_ = name.substr(0, name.size() - std::string_view("model").size());
-    if (attributes.find("unit"))
+    prefix_ = element.name.substr(0, element.name.size() - std::string_view("model").size());
+    const std::string name = element.text("unit");
+    const Unit* const unit = std::find_if(std::begin(units), std::end(units),
+      [&name](const Unit& known) { return name == known.name; });
+    if (unit != std::end(units))
     {
-      model.unit = attributes.text("unit");
+      model.unit = unit->many;
+      model.millimetres = unit->millimetres;
     }
-    const std::string required = attributes.text("requiredextensions");
+    else if (!name.empty())
+    {
+      element.refuse("the unit '" + name.substr(0, 30) + "', which 3MF does not know,");
+    }
+    const std::string required = element.text("requiredextensions");
     std::string_view left = required;
     for (auto word = takeWord(left); !word.empty(); word = takeWord(left))
     {
-      model.extensions.push_back(attributes.text("xmlns:" + std::string(word)));
+      requireKnown(element, std::string(word));
+    }
+    for (const char** pair = element.attributes; *pair; pair += 2)
+    {
+      if (startsWith(*pair, "xmlns:") &&
+          std::string_view(pair[1]).find("/production/") != std::string_view::npos)
+      {
+        path_ = *pair + std::string_view("xmlns:").size() + std::string(":path");
+      }
     }
   }
 
-  std::string prefix_;
+  static void requireKnown(const Element& element, const std::string& prefix)
+  {
+    const std::string space = element.text("xmlns:" + prefix);
+    const char* const known[] = {"/production/", "/material/", "/trianglesets/", "/slice/"};
+    if (std::none_of(std::begin(known), std::end(known),
+          [&space](const char* name) { return space.find(name) != std::string::npos; }))
+    {
+      element.archive.refuse("needs the extension " + (space.empty() ? prefix : space) +
+                             " of 3MF; export it without, or as .stl");
+    }
+  }
+
+  void beginObject(const Element& element)
+  {
+    const std::string id = element.text("id"), type = element.text("type");
+    const auto [place, isNew] = model.objects.emplace(id, ThreeMfObject());
+    if (id.empty() || !isNew)
+    {
+      element.refuse(id.empty() ? "no id" : "the id " + id + " twice");
+    }
+    object_ = &place->second;
+    const std::string name = element.text("name");
+    object_->mesh.name = name.empty() ? element.text("partnumber") : name;
+    const bool isNext = type == "support" || type == "solidsupport" || type == "other";
+    object_->purpose = isNext ? ThreeMfPurpose::support : ThreeMfPurpose::solid;
+  }
+
+  /// Takes a note of Cura on the object at hand.
+  void takeNote(const std::string& value)
+  {
+    const bool isSet = inSmallLetters(value) == "true";
+    if (object_ && isSet && (note_ == "cura:support_mesh" || note_ == "cura:anti_overhang_mesh"))
+    {
+      object_->purpose = ThreeMfPurpose::support;
+    }
+    else if (object_ && isSet && (note_ == "cura:infill_mesh" || note_ == "cura:cutting_mesh"))
+    {
+      object_->purpose = ThreeMfPurpose::modifier;
+    }
+  }
+
+  ThreeMfPlace placeOf(const Element& element) const
+  {
+    ThreeMfPlace place;
+    place.part = path_.empty() ? "" : plainPath(element.text(path_));
+    place.id = element.text("objectid");
+    const std::string text = element.text("transform");
+    std::string_view left = text;
+    Eigen::Index count = 0;
+    for (auto word = takeWord(left); !word.empty(); word = takeWord(left), ++count)
+    {
+      if (count < 12) // the format applies the matrix to rows
+      {
+        place.transform(count % 3, count / 3) = element.numberIn(word, "transform");
+      }
+    }
+    if (count != 0 && count != 12)
+    {
+      element.refuse(std::to_string(count) + " numbers, not 12, for transform");
+    }
+    return place;
+  }
+
+  std::string prefix_; ///< of names of the core specification
+  std::string path_;   ///< the attribute of the production extension; empty where there is none
+  std::string note_;   ///< the name of the note at hand
   bool isBegun_ = false;
   ThreeMfObject* object_ = nullptr;
+};
+
+/// Reads what slicers note. Parts of a kind that is not known are solids, as slicers have it.
+class SlicerElements : public ElementTaker
+{
+public:
+  void begin(const Element& element) override
+  {
+    if (element.name == "object")
+    {
+      object_ = &objects[element.text("id")];
+      part_ = nullptr;
+    }
+    else if (element.name == "part" && object_)
+    {
+      part_ = &object_->components.emplace_back();
+      part_->component = element.text("id");
+      this->setPurpose(element.text("subtype"));
+    }
+    else if (element.name == "volume" && object_)
+    {
+      part_ = &object_->ranges.emplace_back();
+      part_->firstTriangle = element.index("firstid");
+      part_->lastTriangle = element.index("lastid");
+    }
+    else if (element.name == "metadata" && object_)
+    {
+      this->takeNote(element.text("key"), element.text("value"));
+    }
+  }
+
+  void end(std::string_view name, const std::string&) override
+  {
+    object_ = name == "object" ? nullptr : object_;
+    part_ = name == "object" || name == "part" || name == "volume" ? nullptr : part_;
+  }
+
+  std::map<std::string, SlicerObject> objects;
+
+private:
+  void takeNote(const std::string& key, const std::string& value)
+  {
+    if (key == "name")
+    {
+      (part_ ? part_->name : object_->name) = value;
+    }
+    else if (part_ && key == "volume_type")
+    {
+      this->setPurpose(value);
+    }
+    else if (part_ && key == "modifier" && value == "1")
+    {
+      part_->purpose = ThreeMfPurpose::modifier;
+    }
+  }
+
+  void setPurpose(const std::string& kind) const
+  {
+    const char* const modifiers[] = {"negative_part", "modifier_part", "support_enforcer",
+      "support_blocker", "ParameterModifier", "NegativeVolume", "SupportEnforcer",
+      "SupportBlocker"};
+    if (std::find(std::begin(modifiers), std::end(modifiers), kind) != std::end(modifiers))
+    {
+      part_->purpose = ThreeMfPurpose::modifier;
+    }
+  }
+
+  SlicerObject* object_ = nullptr;
+  SlicerPart* part_ = nullptr;
 };
 
 } // namespace
 
 std::string firstPartOf(const ZipArchive& archive)
 {
-  std::string part;
-  forEachElement(archive, "_rels/.rels",
-    [&part](std::string_view, const Attributes& attributes)
-    {
-      if (part.empty() && endsWith(attributes.text("Type"), "/3dmodel"))
-      {
-        part = inArchive(attributes.text("Target"));
-      }
-    });
-  return part.empty() ? "3D/3dmodel.model" : part;
+  const char* const usual = "3D/3dmodel.model";
+  Relationships relationships;
+  if (archive.has("_rels/.rels") || !archive.has(usual))
+  {
+    takeElements(archive, "_rels/.rels", relationships);
+  }
+  return relationships.first.empty() ? usual : relationships.first;
 }
 
 ThreeMfModel readThreeMfModel(const ZipArchive& archive, const std::string& part)
 {
   ModelElements elements;
-  forEachElement(archive, part,
-    [&elements](std::string_view name, const Attributes& attributes)
-    { elements.take(name, attributes); });
+  takeElements(archive, part, elements);
   return std::move(elements.model);
 }
 
 std::map<std::string, SlicerObject> readSlicerObjects(const ZipArchive& archive)
 {
-  std::map<std::string, SlicerObject> objects;
-  SlicerObject* object = nullptr;
-  SlicerPart* part = nullptr;
-  const auto take = [&](std::string_view element, const Attributes& attributes)
-  {
-    if (element == "object")
-    {
-      object = &objects[attributes.text("id")];
-      part = nullptr;
-    }
-    else if (element == "part" && object)
-    {
-      part = &object->components.emplace_back();
-      part->component = attributes.text("id");
-      part->isSolid = attributes.text("subtype") == "normal_part";
-    }
-    else if (element == "volume" && object)
-    {
-      part = &object->ranges.emplace_back();
-      part->firstTriangle = static_cast<std::size_t>(attributes.index("firstid"));
-      part->lastTriangle = static_cast<std::size_t>(attributes.index("lastid"));
-    }
-    else if (element == "metadata" && object)
-    {
-      const std::string key = attributes.text("key"), value = attributes.text("value");
-      if (key == "name")
-      {
-        (part ? part->name : object->name) = value;
-      }
-      const bool isOther =
-        (key == "volume_type" && value != "ModelPart") || (key == "modifier" && value == "1");
-      if (part && isOther)
-      {
-        part->isSolid = false;
-      }
-    }
-  };
+  SlicerElements elements;
   for (const char* const name :
     {"Metadata/model_settings.config", "Metadata/Slic3r_PE_model.config"})
   {
     if (archive.has(name))
     {
-      forEachElement(archive, name, take);
+      takeElements(archive, name, elements);
     }
   }
-  return objects;
+  return std::move(elements.objects);
 }

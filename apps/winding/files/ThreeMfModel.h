@@ -13,36 +13,44 @@ class ZipArchive;
 /// An object in its place: an item of the build, or a component of another object.
 struct ThreeMfPlace
 {
-  std::string part; ///< the name of the model part with the object; empty for the same
+  std::string part; ///< the path of the model part with the object; empty for the same
   std::string id;
   Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();
+};
+
+/// The purpose of an object, or of a part that a slicer notes on one.
+enum class ThreeMfPurpose
+{
+  solid,
+  support,  ///< or other things next to what is made
+  modifier, ///< of a slicer: also negatives, and places where supports are wanted or not
 };
 
 /// An object: a mesh, or components.
 struct ThreeMfObject
 {
-  std::string type; ///< empty is "model"
-  MeshBlock mesh;   ///< has the object's name
+  ThreeMfPurpose purpose = ThreeMfPurpose::solid;
+  MeshBlock mesh; ///< has the object's name
   std::vector<ThreeMfPlace> components;
 };
 
 /// A model part of a 3MF package.
 struct ThreeMfModel
 {
-  std::string unit = "millimeter";
+  double millimetres = 1;                       ///< of its unit
+  std::string unit = "millimetres";             ///< in words
   std::map<std::string, ThreeMfObject> objects; ///< by id
   std::vector<ThreeMfPlace> items;
-  std::vector<std::string> extensions; ///< that are required, by their namespaces
 };
 
 /// A slicer's notes on a part of an object: on a component, or on a range of triangles.
 struct SlicerPart
 {
   std::string component; ///< the id of its object; empty for triangles
-  std::size_t firstTriangle = 0;
-  std::size_t lastTriangle = 0;
+  long long firstTriangle = -1;
+  long long lastTriangle = -1;
   std::string name;
-  bool isSolid = true; ///< else a modifier, a negative, or a place for supports
+  ThreeMfPurpose purpose = ThreeMfPurpose::solid;
 };
 
 /// A slicer's notes on an object.
@@ -53,11 +61,13 @@ struct SlicerObject
   std::vector<SlicerPart> ranges;
 };
 
-/// Returns the name of the first model part of a 3MF package.
+/// Returns the path of the first model part of a 3MF package.
 std::string firstPartOf(const ZipArchive& archive);
 
-/// Reads a model part, with all its meshes.
+/// Reads a model part, with all its meshes. Throws Failure where it is damaged, or needs an
+/// extension other than production, material, triangle sets and slices.
 ThreeMfModel readThreeMfModel(const ZipArchive& archive, const std::string& part);
 
-/// Reads what slicers note on the objects of the first model part, by their ids.
+/// Reads what slicers note on the objects of the first model part, by their ids. Throws Failure
+/// where notes are damaged.
 std::map<std::string, SlicerObject> readSlicerObjects(const ZipArchive& archive);

@@ -1,5 +1,6 @@
 #include "files/ThreeMfReader.h"
 
+#include "files/LoadedReaders.h"
 #include "files/ThreeMfModel.h"
 #include "files/ZipArchive.h"
 #include "program/Failure.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
-#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -26,26 +26,25 @@ namespace
 {
 
 /// How deep components may lie in each other.
-constexpr int deepest = 100;
+constexpr int deepest = 1000;
 
-struct Unit
-{
-  const char* name;
-  const char* many;
-  double millimetres;
-};
+/// How many bytes a byte of a package may stand for. Meshes come down to a twentieth.
+constexpr double bytesPerByte = 64;
 
-constexpr Unit units[] = {{"micron", "micrometres", 0.001}, {"millimeter", "millimetres", 1},
-  {"centimeter", "centimetres", 10}, {"inch", "inches", 25.4}, {"foot", "feet", 304.8},
-  {"meter", "metres", 1000}};
+/// How many triangles a build may have.
+constexpr double mostTriangles = 1 << 28;
 
-/// Returns the part of a mesh that has the triangles from `first` to `last`, and their points.
-MeshBlock partOf(const MeshBlock& mesh, std::size_t first, std::size_t last)
+/// Returns the triangles of a mesh for which `isChosen` holds by their numbers, with their points.
+template <class IsChosen> MeshBlock partOf(const MeshBlock& mesh, const IsChosen& isChosen)
 {
   MeshBlock part;
   std::map<vtkIdType, vtkIdType> numbers;
-  for (std::size_t i = first; i <= last && i < mesh.triangles.size(); ++i)
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
   {
+    if (!isChosen(i))
+    {
+      continue;
+    }
     std::array<vtkIdType, 3> triangle = mesh.triangles[i];
     for (vtkIdType& corner : triangle)
     {
@@ -66,6 +65,30 @@ MeshBlock partOf(const MeshBlock& mesh, std::size_t first, std::size_t last)
   return part;
 }
 
+/// Returns the number of the range that each triangle of a mesh is in, the number of ranges where
+/// it is in none; nothing where ranges contradict the mesh or each other.
+std::vector<std::size_t> rangesOf(const std::vector<SlicerPart>& ranges, std::size_t triangles)
+{
+  std::vector<std::size_t> ofTriangle(triangles, ranges.size());
+  for (std::size_t n = 0; n < ranges.size(); ++n)
+  {
+    const long long first = ranges[n].firstTriangle, last = ranges[n].lastTriangle;
+    if (first < 0 || last < first || static_cast<std::size_t>(last) >= triangles)
+    {
+      return {};
+    }
+    for (auto i = static_cast<std::size_t>(first); i <= static_cast<std::size_t>(last); ++i)
+    {
+      if (ofTriangle[i] != ranges.size())
+      {
+        return {};
+      }
+      ofTriangle[i] = n;
+    }
+  }
+  return ofTriangle;
+}
+
 /// The first of some names that is not empty.
 std::string firstThatIs(std::initializer_list<std::string> names)
 {
@@ -79,61 +102,105 @@ std::string firstThatIs(std::initializer_list<std::string> names)
   return "";
 }
 
+struct Count
+{
+  int number;
+  const char *one, *several;
+};
+
+/// Names the things that there are any of, with their numbers.
+std::string counted(std::initializer_list<Count> counts)
+{
+  std::string words;
+  for (const Count& count : counts)
+  {
+    if (count.number > 0)
+    {
+      words += (words.empty() ? "" : ", ") + std::to_string(count.number) + ' ' +
+               (count.number == 1 ? count.one : count.several);
+    }
+  }
+  return words;
+}
+
 /// Makes blocks of the build of a package.
 class Build
 {
 public:
   explicit Build(const std::string& fileName)
-    : fileName_(fileName)
-    , archive_(fileName)
+    : archive_(fileName)
     , first_(firstPartOf(archive_))
-    , slicerObjects_(readSlicerObjects(archive_))
+  {
+    try
+    {
+      slicerObjects_ = readSlicerObjects(archive_);
+    }
+    catch (const Failure& failure)
+    {
+      const std::string words = failure.what();
+      notes_.push_back(words.substr(fileName.size() + 2) + ", so parts of a slicer are not known");
+    }
+  }
+
+  double unpackedBytes() const { return archive_.unpackedBytes(bytesPerByte); }
+
+  /// Reads all model parts, and returns the number of triangles in the build.
+  double triangles()
+  {
+    double count = 0;
+    for (const ThreeMfPlace& item : this->items())
+    {
+      count += this->trianglesAt(item, first_, 0);
+    }
+    if (count > mostTriangles)
+    {
+      archive_.refuse("its build has too many triangles, for it repeats objects very often");
+    }
+    return count;
+  }
+
+  void addTo(vtkMultiBlockDataSet* output)
+  {
+    output_ = output;
+    for (const ThreeMfPlace& item : this->items())
+    {
+      this->add(item, first_, Eigen::Matrix4d::Identity(), "");
+    }
+  }
+
+  /// The lines for the user, once all is added.
+  std::vector<std::string> notes()
   {
     const ThreeMfModel& model = this->model(first_);
-    const Unit& unit = this->unitOf(model);
-    if (unit.millimetres != 1)
+    if (model.millimetres != 1)
     {
-      notes.push_back(std::string("its numbers are ") + unit.many + ", not millimetres");
+      notes_.push_back("its numbers are " + model.unit + ", not millimetres");
     }
-    for (const ThreeMfPlace& place : model.items.empty() ? topsOf(model) : model.items)
+    int unused = 0;
+    for (const auto& [part, whole] : models_)
     {
-      this->add(place, first_, Eigen::Matrix4d::Identity(), "", 0);
+      for (const auto& [id, object] : whole.objects)
+      {
+        unused += object.mesh.triangles.empty() || used_.count({part, id}) > 0 ? 0 : 1;
+      }
     }
-    this->note(supports_, "is a support and is", "are supports and are");
-    this->note(modifiers_, "is a modifier or a negative of a slicer and is",
-      "are modifiers or negatives of a slicer and are");
+    const std::string leftOut = counted({{supports_, "support", "supports"},
+      {modifiers_, "modifier or negative of a slicer", "modifiers or negatives of a slicer"},
+      {empty_, "object without triangles", "objects without triangles"},
+      {unused, "object outside of its build", "objects outside of its build"}});
+    if (!leftOut.empty())
+    {
+      notes_.push_back("left out: " + leftOut);
+    }
+    if (contradictions_ > 0)
+    {
+      notes_.push_back("the parts that a slicer notes contradict " +
+                       std::to_string(contradictions_) + " of its meshes, and are not looked at");
+    }
+    return notes_;
   }
-
-  std::vector<MeshBlock> blocks;
-  std::vector<std::string> notes;
 
 private:
-  [[noreturn]] void refuse(const std::string& what) const
-  {
-    throw Failure(EXIT_REFUSED, fileName_, what);
-  }
-
-  void note(int count, const char* one, const char* several)
-  {
-    if (count > 0)
-    {
-      notes.push_back((count == 1 ? std::string("one of its parts ") + one
-                                  : std::to_string(count) + " of its parts " + several) +
-                      " left out");
-    }
-  }
-
-  const Unit& unitOf(const ThreeMfModel& model) const
-  {
-    const Unit* const unit = std::find_if(std::begin(units), std::end(units),
-      [&model](const Unit& known) { return model.unit == known.name; });
-    if (unit == std::end(units))
-    {
-      this->refuse("has the unit '" + model.unit + "', which 3MF does not know; it is damaged");
-    }
-    return *unit;
-  }
-
   /// A model part, which is read once.
   const ThreeMfModel& model(const std::string& part)
   {
@@ -141,29 +208,27 @@ private:
     if (isNew)
     {
       place->second = readThreeMfModel(archive_, part);
-      for (const std::string& extension : place->second.extensions)
-      {
-        const char* const known[] = {"/production/", "/material/", "/trianglesets/", "/slice/"};
-        if (std::none_of(std::begin(known), std::end(known),
-              [&extension](const char* name) { return extension.find(name) != std::string::npos; }))
-        {
-          this->refuse(
-            "needs the extension " + extension + " of 3MF; export it without, or as .stl");
-        }
-      }
     }
     return place->second;
   }
 
-  /// The objects that are components of no other.
-  static std::vector<ThreeMfPlace> topsOf(const ThreeMfModel& model)
+  /// The items of the build; without any, the objects that are components of no other.
+  std::vector<ThreeMfPlace> items()
   {
+    const ThreeMfModel& model = this->model(first_);
+    if (!model.items.empty())
+    {
+      return model.items;
+    }
     std::set<std::string> below;
     for (const auto& [id, object] : model.objects)
     {
       for (const ThreeMfPlace& component : object.components)
       {
-        below.insert(component.id);
+        if (component.part.empty() || component.part == first_)
+        {
+          below.insert(component.id);
+        }
       }
     }
     std::vector<ThreeMfPlace> tops;
@@ -177,7 +242,43 @@ private:
     return tops;
   }
 
-  /// Returns the slicer's notes on an object. Objects of other model parts have none.
+  const ThreeMfObject& objectAt(const ThreeMfPlace& place, const std::string& part)
+  {
+    const ThreeMfModel& model = this->model(part);
+    const auto found = model.objects.find(place.id);
+    if (found == model.objects.end())
+    {
+      archive_.refuse("refers to an object " + place.id + " that is not there; it is damaged");
+    }
+    return found->second;
+  }
+
+  /// Counts the triangles of an object that a model part places, each object once.
+  double trianglesAt(const ThreeMfPlace& place, const std::string& placedBy, int depth)
+  {
+    const std::string part = place.part.empty() ? placedBy : place.part;
+    const auto [count, isNew] = counts_.try_emplace({part, place.id}, -1);
+    if (!isNew && count->second >= 0)
+    {
+      return count->second;
+    }
+    if (!isNew || depth > deepest)
+    {
+      archive_.refuse(isNew
+                        ? "its components lie deeper than " + std::to_string(deepest) + " levels"
+                        : "its object " + place.id + " is a component of itself; it is damaged");
+    }
+    const ThreeMfObject& object = this->objectAt(place, part);
+    auto sum = static_cast<double>(object.mesh.triangles.size());
+    for (const ThreeMfPlace& component : object.components)
+    {
+      sum += this->trianglesAt(component, part, depth + 1);
+    }
+    counts_[{part, place.id}] = sum;
+    return sum;
+  }
+
+  /// A slicer's notes on an object. Objects of other model parts have none.
   const SlicerObject& notedOn(const std::string& part, const std::string& id) const
   {
     static const SlicerObject nothing;
@@ -185,75 +286,83 @@ private:
     return part == first_ && found != slicerObjects_.end() ? found->second : nothing;
   }
 
+  /// The unit of a model part in the one of the first.
+  double scaleOf(const std::string& part)
+  {
+    return this->model(part).millimetres / this->model(first_).millimetres;
+  }
+
   /// Adds the meshes of an object that a model part places. `name` is the one of its place.
   void add(const ThreeMfPlace& place, const std::string& placedBy, const Eigen::Matrix4d& outer,
-    const std::string& name, int depth)
+    const std::string& name)
   {
     const std::string part = place.part.empty() ? placedBy : place.part;
-    const ThreeMfModel& model = this->model(part);
-    const auto found = model.objects.find(place.id);
-    if (found == model.objects.end())
+    const ThreeMfObject& object = this->objectAt(place, part);
+    used_.insert({part, place.id});
+    if (object.purpose != ThreeMfPurpose::solid)
     {
-      this->refuse("refers to an object " + place.id + " that is not there; it is damaged");
-    }
-    if (depth > deepest)
-    {
-      this->refuse("its object " + place.id + " is a component of itself; it is damaged");
-    }
-    const ThreeMfObject& object = found->second;
-    if (object.type == "support" || object.type == "solidsupport" || object.type == "other")
-    {
-      ++supports_;
+      ++(object.purpose == ThreeMfPurpose::support ? supports_ : modifiers_);
       return;
     }
+    Eigen::Matrix4d inner = place.transform;
+    inner.topRightCorner<3, 1>() *= this->scaleOf(placedBy);
+    const Eigen::Matrix4d transform = outer * inner;
     const SlicerObject& noted = this->notedOn(part, place.id);
-    const Eigen::Matrix4d transform = outer * place.transform;
     const std::string own = firstThatIs({noted.name, object.mesh.name, name});
-    this->addMesh(object.mesh, noted.ranges, this->unitOf(model).millimetres, transform, own);
+    empty_ += object.mesh.triangles.empty() && object.components.empty() ? 1 : 0;
+    this->addMesh(object.mesh, noted.ranges, this->scaleOf(part), transform, own);
     for (const ThreeMfPlace& component : object.components)
     {
       const auto& parts = noted.components;
       const auto of = std::find_if(parts.begin(), parts.end(),
         [&component](const SlicerPart& one) { return one.component == component.id; });
-      if (of != parts.end() && !of->isSolid)
+      if (of != parts.end() && of->purpose != ThreeMfPurpose::solid)
       {
+        used_.insert({component.part.empty() ? part : component.part, component.id});
         ++modifiers_;
         continue;
       }
       const std::string placeName = of == parts.end() ? "" : of->name;
-      this->add(component, part, transform, firstThatIs({placeName, own}), depth + 1);
+      this->add(component, part, transform, firstThatIs({placeName, own}));
     }
   }
 
-  void addMesh(const MeshBlock& mesh, const std::vector<SlicerPart>& ranges, double unit,
+  void addMesh(const MeshBlock& mesh, const std::vector<SlicerPart>& ranges, double scale,
     const Eigen::Matrix4d& transform, const std::string& name)
   {
-    const double scale = unit / this->unitOf(models_.at(first_)).millimetres;
-    if (ranges.empty() && !mesh.triangles.empty())
+    const std::vector<std::size_t> ofTriangle = rangesOf(ranges, mesh.triangles.size());
+    if (ranges.empty() || ofTriangle.empty())
     {
+      contradictions_ += ranges.empty() || mesh.triangles.empty() ? 0 : 1;
       this->addBlock(mesh, scale, transform, name);
+      return;
     }
-    for (const SlicerPart& range : ranges)
+    for (std::size_t n = 0; n <= ranges.size(); ++n)
     {
-      if (!range.isSolid)
+      if (n < ranges.size() && ranges[n].purpose != ThreeMfPurpose::solid)
       {
         ++modifiers_;
         continue;
       }
-      this->addBlock(partOf(mesh, range.firstTriangle, range.lastTriangle), scale, transform,
-        firstThatIs({range.name, name}));
+      const std::string own = n < ranges.size() ? ranges[n].name : "";
+      this->addBlock(partOf(mesh, [&](std::size_t i) { return ofTriangle[i] == n; }), scale,
+        transform, firstThatIs({own, name}));
     }
   }
 
   void addBlock(
     MeshBlock block, double scale, const Eigen::Matrix4d& transform, const std::string& name)
   {
+    if (block.triangles.empty())
+    {
+      return;
+    }
     block.name = name;
-    const Eigen::Matrix3d turn = transform.topLeftCorner<3, 3>();
+    const Eigen::Matrix3d turn = scale * transform.topLeftCorner<3, 3>();
     const Eigen::Vector3d shift = transform.topRightCorner<3, 1>();
     for (Eigen::Vector3d& point : block.points)
     {
-      point = scale * turn * point + shift;
+      point = turn * point + shift;
     }
     if (turn.determinant() < 0)
     {
@@ -262,16 +371,20 @@ private:
         std::swap(triangle[1], triangle[2]);
       }
     }
-    blocks.push_back(std::move(block));
+    appendBlock(block, output_);
   }
 
-  std::string fileName_;
+  using ObjectKey = std::pair<std::string, std::string>; ///< a model part, and an id in it
+
   ZipArchive archive_;
-  std::string first_;                                 ///< the name of the first model part
+  std::string first_;                                 ///< the path of the first model part
   std::map<std::string, SlicerObject> slicerObjects_; ///< of the first model part, by id
-  std::map<std::string, ThreeMfModel> models_;        ///< by the names of parts
-  int supports_ = 0;
-  int modifiers_ = 0;
+  std::map<std::string, ThreeMfModel> models_;        ///< by the paths of parts
+  std::map<ObjectKey, double> counts_;                ///< of triangles; -1 while they are counted
+  std::set<ObjectKey> used_;
+  vtkMultiBlockDataSet* output_ = nullptr;
+  std::vector<std::string> notes_;
+  int supports_ = 0, modifiers_ = 0, empty_ = 0, contradictions_ = 0;
 };
 
 } // namespace
@@ -284,13 +397,13 @@ ThreeMfReader::ThreeMfReader()
 int ThreeMfReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  vtkMultiBlockDataSet* const output = vtkMultiBlockDataSet::GetData(outputs, 0);
   Build build(fileName_);
-  for (const MeshBlock& block : build.blocks)
-  {
-    appendBlock(block, output);
-  }
-  for (std::string& note : build.notes)
+  double bytes = build.unpackedBytes();
+  this->InvokeEvent(moreBytesEvent, &bytes);
+  bytes += build.triangles(); // each takes as much to read as a byte of a file
+  this->InvokeEvent(moreBytesEvent, &bytes);
+  build.addTo(vtkMultiBlockDataSet::GetData(outputs, 0));
+  for (std::string& note : build.notes())
   {
     this->InvokeEvent(vtkCommand::MessageEvent, note.data());
   }

@@ -8,12 +8,14 @@
  * Reads the meshes of a 3MF package (3MF core specification 1.3, production extension 1.1).
  *
  * Each mesh in the build becomes a block in its place; a build without items is all its objects.
- * A mesh in which a slicer has marked parts becomes a block for each. Blocks have the names of
- * parts, or of objects. Transforms that mirror turn faces round, so that they still look outward.
- * Supports, modifiers and negative parts are left out. Coordinates stay in the file's unit.
+ * A mesh in which a slicer has marked parts becomes a block for each, and one for the rest. Blocks
+ * have the names of parts, or of objects. Transforms that mirror turn faces round, so that they
+ * still look outward. Supports, modifiers and negative parts are left out, as PrusaSlicer, Bambu
+ * Studio and Cura mark them. Coordinates stay in the unit of the first model part.
  *
- * Sends a line by vtkCommand::MessageEvent for what is left out, and for another unit than the
- * millimetre. Throws Failure for packages that are damaged, or that need another extension.
+ * Sends moreBytesEvent, and lines by vtkCommand::MessageEvent: for what is left out, and for
+ * another unit than the millimetre. Throws Failure for packages that are damaged, or that need
+ * another extension.
  */
 class ThreeMfReader : public vtkMultiBlockDataSetAlgorithm
 {

@@ -5,7 +5,6 @@
 #include "program/Failure.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <string_view>
@@ -42,22 +41,6 @@ std::string withoutEntities(std::string name)
   return name;
 }
 
-/// Replaces the percent codes of an URI.
-std::string withoutCodes(const std::string& name)
-{
-  std::string result;
-  for (std::size_t i = 0; i < name.size(); ++i)
-  {
-    const std::string code = name[i] == '%' ? name.substr(i + 1, 2) : "";
-    char* end = nullptr;
-    const long letter = std::strtol(code.c_str(), &end, 16);
-    const bool isCode = code.size() == 2 && *end == '\0';
-    result += isCode ? static_cast<char>(letter) : name[i];
-    i += isCode ? 2 : 0;
-  }
-  return result;
-}
-
 /// The names between quotation marks behind each of the marks in a text.
 std::vector<std::string> namesIn(std::string_view text, std::string_view mark)
 {
@@ -75,7 +58,7 @@ std::vector<std::string> namesIn(std::string_view text, std::string_view mark)
     const std::string name(text.substr(first, last - first));
     if (!isJson || name.rfind("data:", 0) != 0)
     {
-      names.push_back(isJson ? withoutCodes(name) : withoutEntities(name));
+      names.push_back(isJson ? withoutPercentCodes(name) : withoutEntities(name));
     }
     at = last;
   }

@@ -1,6 +1,7 @@
 #include "input/ReaderChild.h"
 
 #include "files/Formats.h"
+#include "files/LoadedReaders.h"
 #include "input/DataStream.h"
 #include "input/Leaves.h"
 #include "input/LegacyVtkCounts.h"
@@ -53,7 +54,28 @@ public:
 
   void put(const void* bytes, std::size_t count) override
   {
-    const char* next = static_cast<const char*>(bytes);
+    constexpr std::size_t atOnce = std::size_t(1) << 16;
+    if (kept_.size() + count > atOnce)
+    {
+      this->flush();
+    }
+    if (count > atOnce)
+    {
+      this->send(static_cast<const char*>(bytes), count);
+      return;
+    }
+    kept_.append(static_cast<const char*>(bytes), count);
+  }
+
+  void flush()
+  {
+    this->send(kept_.data(), kept_.size());
+    kept_.clear();
+  }
+
+private:
+  void send(const char* next, std::size_t count) const
+  {
     while (count > 0)
     {
       const ssize_t written = write(pipe_, next, count);
@@ -66,8 +88,8 @@ public:
     }
   }
 
-private:
   int pipe_;
+  std::string kept_; ///< many small parts go at once
 };
 
 /// Whether a warning of VTK's readers is about something that the data does not need.
@@ -88,13 +110,14 @@ public:
   static ReportWindow* New();
   vtkTypeMacro(ReportWindow, vtkOutputWindow);
 
-  void setSink(ByteSink& sink) { sink_ = &sink; }
+  void setSink(PipeSink& sink) { sink_ = &sink; }
 
   void DisplayText(const char* text) override { this->DisplayWarningText(text); }
   void DisplayErrorText(const char* text) override
   {
     sink_->put(ReaderMessage::error);
     sink_->put(std::string(text));
+    sink_->flush();
     _exit(EXIT_REFUSED);
   }
   void DisplayWarningText(const char* text) override
@@ -114,19 +137,20 @@ protected:
   ~ReportWindow() override = default;
 
 private:
-  ByteSink* sink_ = nullptr;
+  PipeSink* sink_ = nullptr;
 };
 
 vtkStandardNewMacro(ReportWindow);
 
 struct ProgressSender
 {
-  ByteSink& sink;
+  PipeSink& sink;
 
   void send(vtkObject* reader, unsigned long, void*)
   {
     sink.put(ReaderMessage::progress);
     sink.put(vtkAlgorithm::SafeDownCast(reader)->GetProgress());
+    sink.flush();
   }
 };
 
@@ -165,7 +189,8 @@ void limitMemory(std::uintmax_t bytes)
   struct rlimit limit = {};
   if (used > 0 && getrlimit(RLIMIT_AS, &limit) == 0)
   {
-    limit.rlim_cur = std::min<std::uintmax_t>(limit.rlim_cur, used + bytes);
+    static const rlim_t ofUser = limit.rlim_cur;
+    limit.rlim_cur = std::min<std::uintmax_t>(ofUser, used + bytes);
     setrlimit(RLIMIT_AS, &limit);
   }
 }
@@ -186,6 +211,16 @@ void limitToReading(std::uintmax_t fileSize)
   limitMemory(fixedBytes + bytesPerByte * fileSize);
   limitTime(fixedSeconds + secondsPerByte * static_cast<double>(fileSize));
 }
+
+struct LimitRaiser
+{
+  std::uintmax_t fileSize;
+
+  void raise(vtkObject*, unsigned long, void* moreBytes)
+  {
+    limitToReading(fileSize + static_cast<std::uintmax_t>(*static_cast<const double*>(moreBytes)));
+  }
+};
 
 /// Throws Failure for a source that holds anything but surfaces, unstructured grids or points.
 void checkKind(vtkDataObject* data, const std::string& fileName)
@@ -260,13 +295,15 @@ vtkSmartPointer<vtkDataObject> withoutPartitions(vtkDataObject* data)
 }
 
 vtkSmartPointer<vtkDataObject> read(
-  const std::string& fileName, const VtkFormat& format, ByteSink& sink)
+  const std::string& fileName, const VtkFormat& format, std::uintmax_t size, PipeSink& sink)
 {
   const vtkSmartPointer<vtkAlgorithm> reader = format.makeReader(fileName);
   ProgressSender progress{sink};
   reader->AddObserver(vtkCommand::ProgressEvent, &progress, &ProgressSender::send);
   NoteSender notes{sink};
   reader->AddObserver(vtkCommand::MessageEvent, &notes, &NoteSender::send);
+  LimitRaiser limits{size};
+  reader->AddObserver(moreBytesEvent, &limits, &LimitRaiser::raise);
   reader->Update();
   if (reader->GetErrorCode() != vtkErrorCode::NoError)
   {
@@ -311,7 +348,7 @@ std::uintmax_t sizeOf(const std::string& fileName)
 
 /// Reads with all exceptions as Failure.
 vtkSmartPointer<vtkDataObject> readOrFail(
-  const std::string& fileName, const VtkFormat& format, ByteSink& sink)
+  const std::string& fileName, const VtkFormat& format, PipeSink& sink)
 {
   std::uintmax_t size = sizeOf(fileName);
   for (const std::string& piece : pieceFilesOf(fileName))
@@ -321,7 +358,7 @@ vtkSmartPointer<vtkDataObject> readOrFail(
   try
   {
     limitToReading(size);
-    return read(fileName, format, sink);
+    return read(fileName, format, size, sink);
   }
   catch (const std::length_error&)
   {
@@ -359,5 +396,6 @@ void readAndSend(const std::string& fileName, const VtkFormat& format, int pipe)
     sink.put(static_cast<int>(failure.status));
     sink.put(std::string(failure.what()));
   }
+  sink.flush();
   _exit(EXIT_DONE); // without the ends of libraries, which belong to the program
 }

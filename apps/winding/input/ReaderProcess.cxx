@@ -1,5 +1,6 @@
 #include "input/ReaderProcess.h"
 
+#include "files/Formats.h"
 #include "files/Text.h"
 #include "input/DataStream.h"
 #include "input/Leaves.h"
@@ -222,6 +223,19 @@ void requireKnown(bool condition, const std::string& fileName, const std::string
   }
 }
 
+/// Throws Failure for a VTKHDF file. VTK's reader says neither what is wrong nor that it does not
+/// know the type.
+void requireKnownHdf(const std::string& fileName)
+{
+  if (suffixOf(fileName) == ".vtkhdf")
+  {
+    throw Failure(EXIT_REFUSED, fileName,
+      "cannot be read by the reader of VTK " + std::to_string(VTK_MAJOR_VERSION) + "." +
+        std::to_string(VTK_MINOR_VERSION) +
+        ", which reads surfaces from 9.3 on; save it as .vtp or .vtu");
+  }
+}
+
 bool hasPolyhedra(vtkDataObject* data)
 {
   bool isAny = false;
@@ -257,6 +271,7 @@ vtkSmartPointer<vtkDataObject> receive(
       break;
     case ReaderMessage::error:
       requireKnown(newer.empty(), fileName, newer);
+      requireKnownHdf(fileName);
       messages.DisplayErrorText(process.takeText().c_str());
       messages.throwIfError(fileName);
       break;
