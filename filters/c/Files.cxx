@@ -98,31 +98,47 @@ void takePolygons(winding::MeshArrays& arrays, winding_mesh& mesh)
   }
 }
 
-/// Reads a file of any format. Where columns are chosen, it must have some.
-winding::MeshArrays readMesh(
-  const winding::InputFile& file, const winding::ColumnChoice& columns, winding::Executor& executor)
-{
-  const winding::MeshFormat& format = winding::formatOf(file);
-  if (!columns.empty() && !format.hasColumns)
-  {
-    file.refuse("has no columns; choose none");
-  }
-  if (format.read)
-  {
-    return format.read(file, {columns, false}, executor);
-  }
-  winding::TableOptions options;
-  options.separator = format.separator;
-  options.columns = columns;
-  return winding::readPointTable(file, options, executor).points;
-}
-
 /// Gives a mesh what was read, and warns of what was not.
 void takeMesh(winding::MeshArrays arrays, Call& call, winding_mesh& made)
 {
   call.warn(arrays.notes);
   takePoints(arrays, made);
   takePolygons(arrays, made);
+  for (const winding::OtherNumbers& other : arrays.others)
+  {
+    winding_mesh::Column& column = made.columns.emplace_back();
+    column.name = other.name;
+    column.numbers.assign(other.numbers.begin(), other.numbers.end());
+  }
+}
+
+/// The options for a table.
+winding::TableOptions tableOptions(
+  const winding::MeshFormat& format, const winding::ColumnChoice& choice)
+{
+  winding::TableOptions options;
+  options.separator = format.separator;
+  options.columns = choice;
+  return options;
+}
+
+/// Reads a file of any format with all of its columns.
+void readWhole(const winding::InputFile& file, const winding::ColumnChoice& choice,
+  bool normalsAndAreas, Call& call, winding_mesh& made)
+{
+  const winding::MeshFormat& format = winding::formatOf(file);
+  if (format.read)
+  {
+    takeMesh(format.read(file, {choice, true}, call.executor), call, made);
+    return;
+  }
+  ColumnTexts texts;
+  winding::TableOptions options = tableOptions(format, choice);
+  options.normalsAndAreas = normalsAndAreas;
+  options.texts = &texts;
+  winding::PointTable table = winding::readPointTable(file, options, call.executor);
+  takeMesh(std::move(table.points), call, made);
+  takeColumns(table, texts, made);
 }
 
 /// Makes a mesh of a file by read(file, call, mesh).
@@ -166,7 +182,13 @@ winding_status winding_read(
 {
   return readFile(path, run, mesh, refusal,
     [](const winding::InputFile& file, Call& call, winding_mesh& made)
-    { takeMesh(readMesh(file, {}, call.executor), call, made); });
+    {
+      const winding::MeshFormat& format = winding::formatOf(file);
+      takeMesh(format.read
+                 ? format.read(file, {}, call.executor)
+                 : winding::readPointTable(file, tableOptions(format, {}), call.executor).points,
+        call, made);
+    });
 }
 
 winding_status winding_read_columns(const char* path, const char* columns, const winding_run* run,
@@ -176,7 +198,11 @@ winding_status winding_read_columns(const char* path, const char* columns, const
     [columns](const winding::InputFile& file, Call& call, winding_mesh& made)
     {
       const winding::ColumnChoice choice(&required(columns, "columns"));
-      takeMesh(readMesh(file, choice, call.executor), call, made);
+      if (!choice.empty() && !winding::formatOf(file).hasColumns)
+      {
+        file.refuse("has no columns; choose none");
+      }
+      readWhole(file, choice, true, call, made);
     });
 }
 
@@ -185,18 +211,7 @@ winding_status winding_read_table(const char* path, int32_t normals_and_areas,
 {
   return readFile(path, run, mesh, refusal,
     [normals_and_areas](const winding::InputFile& file, Call& call, winding_mesh& made)
-    {
-      const winding::MeshFormat& format = winding::formatOf(file);
-      ColumnTexts texts;
-      winding::TableOptions options;
-      options.separator = format.read ? ',' : format.separator;
-      options.normalsAndAreas = normals_and_areas != 0;
-      options.texts = &texts;
-      const winding::PointTable table = winding::readPointTable(file, options, call.executor);
-      call.warn(table.points.notes);
-      takePoints(table.points, made);
-      takeColumns(table, texts, made);
-    });
+    { readWhole(file, {}, normals_and_areas != 0, call, made); });
 }
 
 void winding_column_init(winding_column* column, size_t size)

@@ -509,7 +509,7 @@ extern "C"
     const double* point_areas;        /**< one each */
     const uint16_t* labels;           /**< two for each polygon: behind it, and before it */
     const int64_t* numbers;           /**< one for each polygon, which winding_faults() explains */
-    int64_t column_count;             /**< of winding_read_table() */
+    int64_t column_count;             /**< of winding_read_table() and winding_read_columns() */
     int64_t line_count;               /**< of a file */
     const int64_t* line_offsets;      /**< line_count + 1 */
     const int64_t* line_corners;      /**< ids of points */
@@ -997,7 +997,7 @@ extern "C"
    * @param columns as "x=Easting y=Northing z=Height nx=4 ny=5 nz=6 area=7", by names or by
    * numbers from 1 on; what is left out goes by usual names
    * @param run null for the defaults
-   * @param mesh receives points, and normals and areas where there are any
+   * @param mesh receives points, normals and areas where there are any, and all other columns
    * @param refusal receives why the call was refused, unless it is null
    *
    * Where x, y and z are numbers, and the first row has numbers in their columns, the file has no
@@ -1007,18 +1007,19 @@ extern "C"
     const winding_run* run, winding_mesh** mesh, winding_refusal* refusal);
 
   /**
-   * Reads a table of points with a row of names: .csv or .tsv.
+   * Reads a file as winding_read() does, with all other columns: of a table (.csv, .tsv) with a row
+   * of names, of points with names (.xyz, .pwn), and single numbers of the vertices of .ply.
    *
    * @param path in UTF-8
-   * @param normals_and_areas whether columns of these names become normals and areas
+   * @param normals_and_areas whether columns of a table with these names become normals and areas
    * @param run null for the defaults
-   * @param mesh receives points, normals and areas, and all other columns
+   * @param mesh receives what winding_read() gives, and columns
    * @param refusal receives why the call was refused, unless it is null
    */
   WINDING_API winding_status winding_read_table(const char* path, int32_t normals_and_areas,
     const winding_run* run, winding_mesh** mesh, winding_refusal* refusal);
 
-  /** A column of a table, which belongs to its mesh. */
+  /** A column of points, which belongs to its mesh. */
   typedef struct winding_column
   {
     uint32_t size;            /**< bytes of the struct that its caller knows */

@@ -1,8 +1,10 @@
 #include "Calls.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <numeric>
+#include <string>
 
 // Tests of what the panels of ParaView show.
 namespace
@@ -165,6 +167,41 @@ TEST(Tables, KeepTheirColumns)
   EXPECT_STREQ(column.texts[0], "a");
   EXPECT_EQ(winding_mesh_column(mesh, 2, &column, nullptr), WINDING_MISUSED);
   winding_mesh_free(mesh);
+}
+
+TEST(Tables, MayBeOtherFilesOfPoints)
+{
+  const auto columnsOf = [](const char* path, const char* text, const char* columns)
+  {
+    std::ofstream(path) << text;
+    winding_mesh* mesh = nullptr;
+    EXPECT_EQ(columns ? winding_read_columns(path, columns, nullptr, &mesh, nullptr)
+                      : winding_read_table(path, 1, nullptr, &mesh, nullptr),
+      WINDING_OK);
+    auto arrays = with(winding_mesh_arrays_init);
+    EXPECT_EQ(winding_mesh_show(mesh, &arrays, nullptr), WINDING_OK);
+    std::string words;
+    for (std::int64_t i = 0; i < arrays.column_count; ++i)
+    {
+      auto column = with(winding_column_init);
+      EXPECT_EQ(winding_mesh_column(mesh, i, &column, nullptr), WINDING_OK);
+      words += std::string(column.name) + "=" +
+               (column.texts ? column.texts[1] : std::to_string(std::lround(column.numbers[1]))) +
+               " ";
+    }
+    winding_mesh_free(mesh);
+    return words;
+  };
+  EXPECT_EQ(columnsOf("panels_test.ply",
+              "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+              "property float z\nproperty float intensity\nend_header\n1 2 3 4\n5 6 7 8\n",
+              nullptr),
+    "intensity=8 ");
+  const char* const points = "x y z intensity\n1 2 3 4\n5 6 7 8\n";
+  EXPECT_EQ(columnsOf("panels_test.xyz", points, nullptr), "intensity=8 ");
+  EXPECT_EQ(columnsOf("panels_test.xyz", points, "x=y y=x"), "intensity=8 ");
+  EXPECT_EQ(columnsOf("panels_test.csv", "E,N,H,t,name\n1,2,3,4,a\n5,6,7,8,b\n", "x=E y=N z=H"),
+    "t=8 name=b ");
 }
 
 TEST(LevelSurface, ThatCannotBeNumberedIsRefused)

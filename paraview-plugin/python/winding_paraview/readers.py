@@ -14,8 +14,6 @@ from vtkwinding._files import unpacked
 from .algorithm import RUN, Algorithm, copied, declared
 from .surfaces import polydata_of
 
-_TABLES = (".csv", ".tsv")
-
 
 @declared
 class SourceReader(Algorithm):
@@ -36,7 +34,7 @@ class SourceReader(Algorithm):
 
     def _read(self, name, copy, output):
         handle = _library.Handle("winding_mesh_free")
-        is_table = os.path.splitext(os.fsdecode(copy))[1].lower() in _TABLES
+        wants_normals = "ReadNormalsAndAreas" not in self.values or self.value("ReadNormalsAndAreas")
         columns = self.values.get("Columns")
         rest = (RUN, ctypes.byref(handle.pointer))
         path = ctypes.c_char_p(copy)
@@ -47,14 +45,11 @@ class SourceReader(Algorithm):
         if columns:
             self.call("winding_read_columns", path, ctypes.c_char_p(columns.encode()), *rest,
                       note=note)
-        elif is_table:
-            self.call("winding_read_table", path, int(bool(self.value("ReadNormalsAndAreas"))),
-                      *rest, note=note)
         else:
-            self.call("winding_read", path, *rest, note=note)
-        self._fill(handle, is_table and not columns, output)
+            self.call("winding_read_table", path, int(bool(wants_normals)), *rest, note=note)
+        self._fill(handle, output)
 
-    def _fill(self, handle, is_table, output):
+    def _fill(self, handle, output):
         arrays = _library.arrays_of(handle)
         polydata_of(arrays, output=output)
         for name, give in (("vertices", output.SetVerts), ("lines", output.SetLines)):
@@ -66,7 +61,7 @@ class SourceReader(Algorithm):
             ids = np.concatenate([np.full(others, -1, np.int32), regions.of_faces])
             output.GetCellData().AddArray(copied(f"{kind}Ids", ids))
             output.GetFieldData().AddArray(_column(f"{kind}Names", regions.names))
-        if is_table and self.value("ReadAllColumns"):
+        if "ReadAllColumns" not in self.values or self.value("ReadAllColumns"):
             for name, values in _library.columns_of(handle, arrays["column_count"]):
                 output.GetPointData().AddArray(_column(name, values))
         if arrays["point_normals"] is not None:
