@@ -6,13 +6,7 @@
  * libzip. These take 10 to 20 ms and 2 ms to load, so the readers lie in a library of their own.
  */
 
-#include "vtkCommand.h"
-
 class vtkAlgorithm;
-
-/// Sent by a reader with the bytes (double) that it takes as long to read as, in addition to the
-/// file's own.
-constexpr unsigned long moreBytesEvent = vtkCommand::UserEvent + 1;
 
 /// The names of the library and of its function.
 constexpr char loadedReaders[] = "libwinding_readers.so";

@@ -1,6 +1,6 @@
 #include "files/ThreeMfReader.h"
 
-#include "files/LoadedReaders.h"
+#include "files/ReaderEvents.h"
 #include "files/ThreeMfModel.h"
 #include "files/ZipArchive.h"
 #include "program/Failure.h"

@@ -1,7 +1,7 @@
 #include "input/ReaderChild.h"
 
 #include "files/Formats.h"
-#include "files/LoadedReaders.h"
+#include "files/ReaderEvents.h"
 #include "input/DataStream.h"
 #include "input/Leaves.h"
 #include "input/LegacyVtkCounts.h"

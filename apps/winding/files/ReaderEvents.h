@@ -1,0 +1,7 @@
+#pragma once
+
+#include "vtkCommand.h"
+
+/// Sent by a reader with the bytes (double) that it takes as long to read as, in addition to the
+/// file's own.
+constexpr unsigned long moreBytesEvent = vtkCommand::UserEvent + 1;
