@@ -91,7 +91,7 @@ std::string withSubstitutes(std::string_view text)
     const std::size_t begin = text.rfind('\n', start) + 1;
     start = begin;
     std::string_view line = takeLine(text, start);
-    if (line.size() > 6 && line.substr(line.size() - 6) == "string")
+    if (line.size() > 6 && endsWith(line, "string"))
     {
       return "";
     }

@@ -85,6 +85,25 @@ std::string_view takeWord(std::string_view& text)
   return word;
 }
 
+std::string_view trimmed(std::string_view text)
+{
+  const std::string_view blanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(blanks);
+  return first == std::string_view::npos
+           ? std::string_view()
+           : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+bool startsWith(std::string_view text, std::string_view start)
+{
+  return text.substr(0, start.size()) == start;
+}
+
+bool endsWith(std::string_view text, std::string_view end)
+{
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
 bool parseInteger(std::string_view word, long long& value)
 {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-')

@@ -22,6 +22,15 @@ std::string_view takeLine(std::string_view text, std::size_t& start);
 /// left.
 std::string_view takeWord(std::string_view& text);
 
+/// Takes blanks off both ends of a text.
+std::string_view trimmed(std::string_view text);
+
+/// Returns whether a text begins in this way.
+bool startsWith(std::string_view text, std::string_view start);
+
+/// Returns whether a text ends in this way.
+bool endsWith(std::string_view text, std::string_view end);
+
 /// Reads a word that is a whole number. False if it is none, or does not fit into the value.
 bool parseInteger(std::string_view word, long long& value);
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <exception>
 #include <iterator>
 #include <string_view>
@@ -16,26 +17,6 @@
 
 namespace
 {
-
-bool startsWith(std::string_view text, std::string_view start)
-{
-  return text.substr(0, start.size()) == start;
-}
-
-bool endsWith(std::string_view text, std::string_view end)
-{
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
-
-/// Takes blanks off both ends of a text.
-std::string trimmed(std::string_view text)
-{
-  const std::string_view blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string_view::npos
-           ? std::string()
-           : std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
-}
 
 /// An element of a part, with its attributes, from its begin to its end.
 struct Element
@@ -45,30 +26,24 @@ struct Element
   std::string_view name;
   const char** attributes;
 
-  /// The value of an attribute; null where there is none.
-  const char* find(std::string_view attribute) const
+  /// The value of an attribute without blanks at its ends; empty where there is none.
+  std::string_view value(std::string_view attribute) const
   {
     for (const char** pair = attributes; *pair; pair += 2)
     {
       if (attribute == *pair)
       {
-        return pair[1];
+        return trimmed(pair[1]);
       }
     }
-    return nullptr;
+    return {};
   }
 
-  /// The value of an attribute without blanks at its ends; empty where there is none.
-  std::string text(std::string_view attribute) const
-  {
-    const char* const value = this->find(attribute);
-    return value ? trimmed(value) : std::string();
-  }
+  std::string text(std::string_view attribute) const { return std::string(this->value(attribute)); }
 
   double number(std::string_view attribute) const
   {
-    const char* const value = this->find(attribute);
-    return this->numberIn(value ? trimmed(value) : std::string(), attribute);
+    return this->numberIn(this->value(attribute), attribute);
   }
 
   /// Reads the number that is all of a word, or refuses the file.
@@ -90,7 +65,7 @@ struct Element
   long long index(std::string_view attribute) const
   {
     long long number = -1;
-    return parseInteger(this->text(attribute), number) ? number : -1;
+    return parseInteger(this->value(attribute), number) ? number : -1;
   }
 
   [[noreturn]] void refuse(const std::string& what) const
@@ -271,7 +246,7 @@ public:
     }
     else if (name == prefix_ + "metadata")
     {
-      this->takeNote(trimmed(text));
+      this->takeNote(std::string(trimmed(text)));
     }
   }
 

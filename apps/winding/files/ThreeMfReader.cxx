@@ -34,17 +34,13 @@ constexpr double bytesPerByte = 64;
 /// How many triangles a build may have.
 constexpr double mostTriangles = 1 << 28;
 
-/// Returns the triangles of a mesh for which `isChosen` holds by their numbers, with their points.
-template <class IsChosen> MeshBlock partOf(const MeshBlock& mesh, const IsChosen& isChosen)
+/// Returns some triangles of a mesh by their numbers, with their points.
+MeshBlock partOf(const MeshBlock& mesh, const std::vector<std::size_t>& chosen)
 {
   MeshBlock part;
   std::map<vtkIdType, vtkIdType> numbers;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  for (const std::size_t i : chosen)
   {
-    if (!isChosen(i))
-    {
-      continue;
-    }
     std::array<vtkIdType, 3> triangle = mesh.triangles[i];
     for (vtkIdType& corner : triangle)
     {
@@ -65,9 +61,10 @@ template <class IsChosen> MeshBlock partOf(const MeshBlock& mesh, const IsChosen
   return part;
 }
 
-/// Returns the number of the range that each triangle of a mesh is in, the number of ranges where
-/// it is in none; nothing where ranges contradict the mesh or each other.
-std::vector<std::size_t> rangesOf(const std::vector<SlicerPart>& ranges, std::size_t triangles)
+/// Returns the triangles of a mesh that are in each range, and last the ones in none; nothing where
+/// ranges contradict the mesh or each other.
+std::vector<std::vector<std::size_t>> trianglesIn(
+  const std::vector<SlicerPart>& ranges, std::size_t triangles)
 {
   std::vector<std::size_t> ofTriangle(triangles, ranges.size());
   for (std::size_t n = 0; n < ranges.size(); ++n)
@@ -86,7 +83,12 @@ std::vector<std::size_t> rangesOf(const std::vector<SlicerPart>& ranges, std::si
       ofTriangle[i] = n;
     }
   }
-  return ofTriangle;
+  std::vector<std::vector<std::size_t>> numbers(ranges.size() + 1);
+  for (std::size_t i = 0; i < triangles; ++i)
+  {
+    numbers[ofTriangle[i]].push_back(i);
+  }
+  return numbers;
 }
 
 /// The first of some names that is not empty.
@@ -274,8 +276,7 @@ private:
     {
       sum += this->trianglesAt(component, part, depth + 1);
     }
-    counts_[{part, place.id}] = sum;
-    return sum;
+    return count->second = sum;
   }
 
   /// A slicer's notes on an object. Objects of other model parts have none.
@@ -330,14 +331,19 @@ private:
   void addMesh(const MeshBlock& mesh, const std::vector<SlicerPart>& ranges, double scale,
     const Eigen::Matrix4d& transform, const std::string& name)
   {
-    const std::vector<std::size_t> ofTriangle = rangesOf(ranges, mesh.triangles.size());
-    if (ranges.empty() || ofTriangle.empty())
+    if (ranges.empty())
     {
-      contradictions_ += ranges.empty() || mesh.triangles.empty() ? 0 : 1;
       this->addBlock(mesh, scale, transform, name);
       return;
     }
-    for (std::size_t n = 0; n <= ranges.size(); ++n)
+    const auto parts = trianglesIn(ranges, mesh.triangles.size());
+    if (parts.empty())
+    {
+      contradictions_ += mesh.triangles.empty() ? 0 : 1;
+      this->addBlock(mesh, scale, transform, name);
+      return;
+    }
+    for (std::size_t n = 0; n < parts.size(); ++n)
     {
       if (n < ranges.size() && ranges[n].purpose != ThreeMfPurpose::solid)
       {
@@ -345,8 +351,7 @@ private:
         continue;
       }
       const std::string own = n < ranges.size() ? ranges[n].name : "";
-      this->addBlock(partOf(mesh, [&](std::size_t i) { return ofTriangle[i] == n; }), scale,
-        transform, firstThatIs({own, name}));
+      this->addBlock(partOf(mesh, parts[n]), scale, transform, firstThatIs({own, name}));
     }
   }
 

@@ -28,22 +28,33 @@ ZipArchive::ZipArchive(const std::string& fileName)
   }
 }
 
+std::optional<std::uint64_t> ZipArchive::find(const std::string& name) const
+{
+  for (const std::string& spelling : {name, inSmallLetters(name)})
+  {
+    if (const auto found = indices_.find(spelling); found != indices_.end())
+    {
+      return found->second;
+    }
+  }
+  return std::nullopt;
+}
+
 bool ZipArchive::has(const std::string& name) const
 {
-  return indices_.count(name) > 0 || indices_.count(inSmallLetters(name)) > 0;
+  return this->find(name).has_value();
 }
 
 void ZipArchive::read(
   const std::string& name, const std::function<void(std::string_view)>& take) const
 {
-  auto found = indices_.find(name);
-  found = found == indices_.end() ? indices_.find(inSmallLetters(name)) : found;
-  if (found == indices_.end())
+  const std::optional<std::uint64_t> index = this->find(name);
+  if (!index)
   {
     this->refuse("has no " + name + " in it; it is damaged");
   }
   const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
-    zip_fopen_index(archive_.get(), found->second, 0), zip_fclose);
+    zip_fopen_index(archive_.get(), *index, 0), zip_fclose);
   char bytes[1 << 16];
   zip_int64_t count = -1;
   while (file && (count = zip_fread(file.get(), bytes, sizeof bytes)) > 0)

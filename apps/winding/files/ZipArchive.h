@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,6 +30,8 @@ public:
   [[noreturn]] void refuse(const std::string& what) const;
 
 private:
+  std::optional<std::uint64_t> find(const std::string& name) const;
+
   std::string fileName_;
   std::unique_ptr<zip, void (*)(zip*)> archive_;
   std::map<std::string, std::uint64_t> indices_; ///< by names as they are, and in small letters

@@ -11,11 +11,6 @@
 namespace
 {
 
-bool startsWith(std::string_view text, std::string_view start)
-{
-  return text.substr(0, start.size()) == start;
-}
-
 bool isOff(std::string_view text)
 {
   while (!text.empty() && text[0] == '#')

@@ -8,25 +8,6 @@
 #include <cmath>
 #include <limits>
 
-namespace
-{
-
-[[noreturn]] void refuse(const std::string& message)
-{
-  throw HeaderFault(message);
-}
-
-} // namespace
-
-std::string_view trimmed(std::string_view text)
-{
-  const std::string_view blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string_view::npos
-           ? std::string_view()
-           : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 double numberOf(std::string_view word, const std::string& key)
 {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-')
@@ -37,7 +18,7 @@ double numberOf(std::string_view word, const std::string& key)
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
   {
-    refuse("its header has no number in '" + key + "'");
+    throw HeaderFault("its header has no number in '" + key + "'");
   }
   return value;
 }
@@ -46,8 +27,8 @@ void checkCount(std::size_t found, const std::string& key, std::size_t wanted)
 {
   if (found != wanted)
   {
-    refuse("its header has " + std::to_string(found) + " numbers in '" + key + "', not " +
-           std::to_string(wanted));
+    throw HeaderFault("its header has " + std::to_string(found) + " numbers in '" + key +
+                      "', not " + std::to_string(wanted));
   }
 }
 
@@ -66,7 +47,7 @@ int sizeOf(double value, const std::string& key)
 {
   if (!(value >= 1 && value <= std::numeric_limits<int>::max() && value == std::floor(value)))
   {
-    refuse("its header has no number of voxels in '" + key + "'");
+    throw HeaderFault("its header has no number of voxels in '" + key + "'");
   }
   return static_cast<int>(value);
 }
@@ -87,7 +68,7 @@ std::string_view takeHeaderLine(const std::string& head, std::size_t& start)
 {
   if (start >= head.size())
   {
-    refuse("its header has no end");
+    throw HeaderFault("its header has no end");
   }
   return trimmed(takeLine(head, start));
 }
@@ -97,13 +78,14 @@ std::size_t axesOf(const HeaderFields& fields, const char* key)
   const std::string* const text = findAny(fields, {key});
   if (!text)
   {
-    refuse(std::string("its header has no '") + key + "'");
+    throw HeaderFault(std::string("its header has no '") + key + "'");
   }
   constexpr double most = 16; // of NRRD
   const double axes = numberOf(*text, key);
   if (!(axes >= 2 && axes <= most && axes == std::floor(axes)))
   {
-    refuse(std::string("its header has another number of axes in '") + key + "' than 2 to 16");
+    throw HeaderFault(
+      std::string("its header has another number of axes in '") + key + "' than 2 to 16");
   }
   return static_cast<std::size_t>(axes);
 }
@@ -114,6 +96,6 @@ void checkStep(const std::vector<double>& step)
         step.begin() + std::min<std::ptrdiff_t>(3, static_cast<std::ptrdiff_t>(step.size())),
         step.end(), [](double number) { return number != 0; }))
   {
-    refuse("its axes of space and time are mixed");
+    throw HeaderFault("its axes of space and time are mixed");
   }
 }

@@ -14,9 +14,6 @@
 /// The fields of a header by their keys.
 using HeaderFields = std::map<std::string, std::string>;
 
-/// Takes blanks off both ends of a text.
-std::string_view trimmed(std::string_view text);
-
 /// Takes the next line off a header. Throws behind the last one: the file has another kind of data,
 /// or is cut off.
 std::string_view takeHeaderLine(const std::string& head, std::size_t& start);

@@ -19,7 +19,7 @@ namespace
 
 /// Whether a word ends with a keyword, which is in small letters. Binary numbers may stand right
 /// before a keyword.
-bool endsWith(std::string_view word, std::string_view keyword)
+bool endsWithKeyword(std::string_view word, std::string_view keyword)
 {
   return word.size() >= keyword.size() &&
          std::equal(keyword.begin(), keyword.end(), word.end() - static_cast<long>(keyword.size()),
@@ -39,7 +39,7 @@ public:
     takeLine(text_, start); // the title, which may be any
     start = std::min(start, text_.size());
     body_ = std::string_view(text_).substr(start);
-    isText_ = endsWith(takeWord(body_), "ascii");
+    isText_ = endsWithKeyword(takeWord(body_), "ascii");
   }
 
   /// Throws Failure where the file does not announce `cells` cells with `ids` ids, or does not
@@ -83,7 +83,7 @@ private:
       {
         return parseInteger(takeWord(rest), value) && value == number;
       };
-      if (endsWith(word, keyword) && std::all_of(numbers.begin(), numbers.end(), isNext))
+      if (endsWithKeyword(word, keyword) && std::all_of(numbers.begin(), numbers.end(), isNext))
       {
         for (vtkIdType i = 0; isText_ && i < integersBehind; ++i)
         {
@@ -106,7 +106,8 @@ private:
     for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text))
     {
       std::size_t start = 0;
-      std::string_view line = endsWith(word, keyword) ? takeLine(text, start) : std::string_view();
+      std::string_view line =
+        endsWithKeyword(word, keyword) ? takeLine(text, start) : std::string_view();
       long long first = 0, second = 0;
       if (parseInteger(takeWord(line), first) && parseInteger(takeWord(line), second) &&
           first != 0 && takeWord(line).empty())

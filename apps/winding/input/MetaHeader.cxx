@@ -1,5 +1,6 @@
 #include "input/MetaHeader.h"
 
+#include "files/Text.h"
 #include "input/HeaderFields.h"
 
 #include <algorithm>

@@ -12,11 +12,6 @@
 namespace
 {
 
-[[noreturn]] void refuse(const std::string& message)
-{
-  throw HeaderFault(message);
-}
-
 /// Returns the name of a field of NRRD in small letters and without blanks. Teem ignores case, and
 /// has names of several words in both ways.
 std::string nrrdName(std::string_view name)
@@ -46,11 +41,12 @@ void addNrrdField(std::string_view line, HeaderFields& fields)
   if (at == line.size() ||
       std::find(std::begin(nrrdNames), std::end(nrrdNames), plain) == std::end(nrrdNames))
   {
-    refuse("its header has '" + name.substr(0, 30) + "', which is no field of the format");
+    throw HeaderFault(
+      "its header has '" + name.substr(0, 30) + "', which is no field of the format");
   }
   if (!fields.emplace(plain, trimmed(line.substr(at + 1))).second)
   {
-    refuse("its header has '" + name + "' twice");
+    throw HeaderFault("its header has '" + name + "' twice");
   }
 }
 
@@ -106,7 +102,7 @@ std::optional<std::vector<double>> vectorOf(
   const std::size_t end = text.find(')');
   if (text.empty() || text.front() != '(' || end == std::string_view::npos)
   {
-    refuse("its header has no vectors in '" + key + "'");
+    throw HeaderFault("its header has no vectors in '" + key + "'");
   }
   std::string words(text.substr(1, end - 1));
   const auto count = static_cast<std::size_t>(1 + std::count(words.begin(), words.end(), ','));
@@ -114,7 +110,8 @@ std::optional<std::vector<double>> vectorOf(
   std::vector<double> numbers = numbersOf(words, key, length > 0 ? length : count);
   if (count < 2 || count > 4)
   {
-    refuse("its header has vectors of " + std::to_string(count) + " numbers in '" + key + "'");
+    throw HeaderFault(
+      "its header has vectors of " + std::to_string(count) + " numbers in '" + key + "'");
   }
   text.remove_prefix(end + 1);
   return numbers;
@@ -149,7 +146,7 @@ std::vector<bool> endsAreSamples(const HeaderFields& fields, std::size_t axes)
     const std::string center = inSmallLetters(word);
     if (center != "node" && center != "cell" && center != "???" && center != "none")
     {
-      refuse("its header has '" + std::string(word.substr(0, 20)) + "' in 'centers'");
+      throw HeaderFault("its header has '" + std::string(word.substr(0, 20)) + "' in 'centers'");
     }
     areSamples.push_back(center == "node");
   }
@@ -183,7 +180,7 @@ void addAxis(const std::array<double, 3>& step, double size, std::size_t& axis, 
 {
   if (axis == 3)
   {
-    refuse("its header has more than 3 axes of space");
+    throw HeaderFault("its header has more than 3 axes of space");
   }
   place.steps[axis] = step;
   place.dimensions[axis++] = sizeOf(size, "sizes");
@@ -212,7 +209,8 @@ std::size_t addDirections(
     }
     if (ends.spacings[n] || ends.mins[n] || ends.maxs[n])
     {
-      refuse("its header has 'space directions' and 'spacings', 'axis mins' or 'axis maxs'");
+      throw HeaderFault(
+        "its header has 'space directions' and 'spacings', 'axis mins' or 'axis maxs'");
     }
     std::array<double, 3> step = {};
     std::copy_n(vector->begin(), std::min<std::size_t>(vector->size(), 3), step.begin());
@@ -225,7 +223,7 @@ std::size_t addDirections(
   }
   if (!trimmed(rest).empty())
   {
-    refuse("its header has more vectors in 'space directions' than axes");
+    throw HeaderFault("its header has more vectors in 'space directions' than axes");
   }
   return axis;
 }
@@ -255,8 +253,8 @@ std::size_t addStraightAxes(
     addAxis(step, sizes[n], axis, place);
     if (min ? !spacing && !max : haveMins || max)
     {
-      refuse(min ? "its header has 'axis mins' and no 'spacings'"
-                 : "its header has an axis without a number in 'axis mins'");
+      throw HeaderFault(min ? "its header has 'axis mins' and no 'spacings'"
+                            : "its header has an axis without a number in 'axis mins'");
     }
     if (min)
     {
@@ -279,13 +277,13 @@ void addAxes(const HeaderFields& fields, const std::vector<double>& sizes, Image
                              : addStraightAxes(fields, sizes, ends, place);
   if (axes < 2)
   {
-    refuse("its header has fewer than 2 axes of space");
+    throw HeaderFault("its header has fewer than 2 axes of space");
   }
   if (origin)
   {
     if (findAny(fields, {"axismins"}))
     {
-      refuse("its header has 'space origin' and 'axis mins'");
+      throw HeaderFault("its header has 'space origin' and 'axis mins'");
     }
     std::string_view rest = *origin;
     if (const auto vector = vectorOf(rest, "space origin", lengthOfVectors(fields)))
@@ -301,13 +299,13 @@ ImagePlace nrrdImage(const std::string& head)
 {
   if (head.rfind("NRRD000", 0) != 0)
   {
-    refuse("it does not begin like NRRD");
+    throw HeaderFault("it does not begin like NRRD");
   }
   const HeaderFields fields = nrrdFields(head);
   const std::string* const sizes = findAny(fields, {"sizes"});
   if (!sizes)
   {
-    refuse("its header has no 'sizes'");
+    throw HeaderFault("its header has no 'sizes'");
   }
   ImagePlace place;
   place.space = ImageSpace::lps; // as in ITK where none is named
@@ -317,7 +315,7 @@ ImagePlace nrrdImage(const std::string& head)
     const std::optional<ImageSpace> space = spaceOf(*name);
     if (!space)
     {
-      refuse(
+      throw HeaderFault(
         "its header has a space '" + name->substr(0, 40) + "', which the format does not have");
     }
     place.space = *space;
