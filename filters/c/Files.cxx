@@ -112,30 +112,22 @@ void takeMesh(winding::MeshArrays arrays, Call& call, winding_mesh& made)
   }
 }
 
-/// The options for a table.
-winding::TableOptions tableOptions(
-  const winding::MeshFormat& format, const winding::ColumnChoice& choice)
-{
-  winding::TableOptions options;
-  options.separator = format.separator;
-  options.columns = choice;
-  return options;
-}
-
-/// Reads a file of any format with all of its columns.
-void readWhole(const winding::InputFile& file, const winding::ColumnChoice& choice,
-  bool normalsAndAreas, Call& call, winding_mesh& made)
+/// Reads a file of any format.
+void readInto(winding_mesh& made, const winding::InputFile& file,
+  const winding::ColumnWishes& wishes, bool normalsAndAreas, Call& call)
 {
   const winding::MeshFormat& format = winding::formatOf(file);
   if (format.read)
   {
-    takeMesh(format.read(file, {choice, true}, call.executor), call, made);
+    takeMesh(format.read(file, wishes, call.executor), call, made);
     return;
   }
   ColumnTexts texts;
-  winding::TableOptions options = tableOptions(format, choice);
+  winding::TableOptions options;
+  options.separator = format.separator;
+  options.columns = wishes.chosen;
   options.normalsAndAreas = normalsAndAreas;
-  options.texts = &texts;
+  options.texts = wishes.others ? &texts : nullptr;
   winding::PointTable table = winding::readPointTable(file, options, call.executor);
   takeMesh(std::move(table.points), call, made);
   takeColumns(table, texts, made);
@@ -182,13 +174,7 @@ winding_status winding_read(
 {
   return readFile(path, run, mesh, refusal,
     [](const winding::InputFile& file, Call& call, winding_mesh& made)
-    {
-      const winding::MeshFormat& format = winding::formatOf(file);
-      takeMesh(format.read
-                 ? format.read(file, {}, call.executor)
-                 : winding::readPointTable(file, tableOptions(format, {}), call.executor).points,
-        call, made);
-    });
+    { readInto(made, file, {}, true, call); });
 }
 
 winding_status winding_read_columns(const char* path, const char* columns, const winding_run* run,
@@ -202,7 +188,7 @@ winding_status winding_read_columns(const char* path, const char* columns, const
       {
         file.refuse("has no columns; choose none");
       }
-      readWhole(file, choice, true, call, made);
+      readInto(made, file, {choice, true}, true, call);
     });
 }
 
@@ -210,8 +196,9 @@ winding_status winding_read_table(const char* path, int32_t normals_and_areas,
   const winding_run* run, winding_mesh** mesh, winding_refusal* refusal)
 {
   return readFile(path, run, mesh, refusal,
-    [normals_and_areas](const winding::InputFile& file, Call& call, winding_mesh& made)
-    { readWhole(file, {}, normals_and_areas != 0, call, made); });
+    [normals_and_areas](const winding::InputFile& file, Call& call, winding_mesh& made) {
+      readInto(made, file, {{}, true}, normals_and_areas != 0, call);
+    });
 }
 
 void winding_column_init(winding_column* column, size_t size)

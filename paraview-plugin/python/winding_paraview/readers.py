@@ -34,7 +34,6 @@ class SourceReader(Algorithm):
 
     def _read(self, name, copy, output):
         handle = _library.Handle("winding_mesh_free")
-        wants_normals = "ReadNormalsAndAreas" not in self.values or self.value("ReadNormalsAndAreas")
         columns = self.values.get("Columns")
         rest = (RUN, ctypes.byref(handle.pointer))
         path = ctypes.c_char_p(copy)
@@ -46,8 +45,12 @@ class SourceReader(Algorithm):
             self.call("winding_read_columns", path, ctypes.c_char_p(columns.encode()), *rest,
                       note=note)
         else:
-            self.call("winding_read_table", path, int(bool(wants_normals)), *rest, note=note)
+            self.call("winding_read_table", path, int(self._wants("ReadNormalsAndAreas")), *rest, note=note)
         self._fill(handle, output)
+
+    def _wants(self, name):
+        """Whether a property is on. The reader of tables alone has it; for others it is on."""
+        return name not in self.values or bool(self.value(name))
 
     def _fill(self, handle, output):
         arrays = _library.arrays_of(handle)
@@ -61,7 +64,7 @@ class SourceReader(Algorithm):
             ids = np.concatenate([np.full(others, -1, np.int32), regions.of_faces])
             output.GetCellData().AddArray(copied(f"{kind}Ids", ids))
             output.GetFieldData().AddArray(_column(f"{kind}Names", regions.names))
-        if "ReadAllColumns" not in self.values or self.value("ReadAllColumns"):
+        if self._wants("ReadAllColumns"):
             for name, values in _library.columns_of(handle, arrays["column_count"]):
                 output.GetPointData().AddArray(_column(name, values))
         if arrays["point_normals"] is not None:
