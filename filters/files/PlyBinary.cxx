@@ -82,9 +82,11 @@ private:
 class PlyBinaryParser
 {
 public:
-  PlyBinaryParser(const InputFile& file, const PlyHeader& header, Executor& executor)
+  PlyBinaryParser(
+    const InputFile& file, const PlyHeader& header, const ColumnWishes& wishes, Executor& executor)
     : file_(file)
     , header_(header)
+    , wishes_(wishes)
     , executor_(executor)
   {
   }
@@ -130,10 +132,10 @@ private:
     const auto count = static_cast<std::size_t>(vertex.count);
     mesh_.colorComponents = static_cast<int>(color.size());
     std::vector<const PlyProperty*> others;
-    if (header_.areOthersWanted)
+    if (wishes_.others)
     {
       others = vertex.others();
-      mesh_.others = vertex.arraysOfOthers();
+      mesh_.others = vertex.namedOthers();
     }
     do
     {
@@ -141,6 +143,10 @@ private:
       mesh_.normals = normal.arrays(count);
       mesh_.colors = PlainArray<std::uint8_t>(color.size() * count);
       mesh_.textureCoordinates = PlainArray<float>(texture.size() * count);
+      for (OtherNumbers& other : mesh_.others)
+      {
+        other.numbers = PlainArray<double>(count);
+      }
     } while (!reader.read(
       [&](const PlyItems& items)
       {
@@ -223,15 +229,17 @@ private:
 
   const InputFile& file_;
   const PlyHeader& header_;
+  const ColumnWishes& wishes_;
   Executor& executor_;
   MeshArrays mesh_;
 };
 
 } // namespace
 
-MeshArrays readPlyBinary(const InputFile& file, const PlyHeader& header, Executor& executor)
+MeshArrays readPlyBinary(
+  const InputFile& file, const PlyHeader& header, const ColumnWishes& wishes, Executor& executor)
 {
-  return PlyBinaryParser(file, header, executor).run();
+  return PlyBinaryParser(file, header, wishes, executor).run();
 }
 
 } // namespace winding

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "files/ColumnNames.h"
 #include "files/MeshArrays.h"
 #include "files/PlyHeader.h"
 
@@ -15,7 +16,8 @@ namespace winding
  * Throws FileRefusal for numbers that are missing or are none, for lists whose length is no
  * whole number from 0 on, and for corners that do not exist. Throws Interrupted.
  */
-MeshArrays readPlyText(const InputFile& file, const PlyHeader& header, Executor& executor);
+MeshArrays readPlyText(
+  const InputFile& file, const PlyHeader& header, const ColumnWishes& wishes, Executor& executor);
 
 /**
  * Reads what is behind the header of a binary PLY file. Coordinates and normals are floats where
@@ -27,6 +29,7 @@ MeshArrays readPlyText(const InputFile& file, const PlyHeader& header, Executor&
  * Throws FileRefusal where the file ends before its last item, for lists whose length is no
  * whole number from 0 on, and for corners that do not exist. Throws Interrupted.
  */
-MeshArrays readPlyBinary(const InputFile& file, const PlyHeader& header, Executor& executor);
+MeshArrays readPlyBinary(
+  const InputFile& file, const PlyHeader& header, const ColumnWishes& wishes, Executor& executor);
 
 } // namespace winding

@@ -13,10 +13,10 @@ MeshArrays readPly(const InputFile& file, Executor& executor)
 
 MeshArrays readPlyColumns(const InputFile& file, const ColumnWishes& wishes, Executor& executor)
 {
-  PlyHeader header = readPlyHeader(file);
-  header.areOthersWanted = wishes.others;
-  MeshArrays mesh = header.encoding == PlyEncoding::text ? readPlyText(file, header, executor)
-                                                         : readPlyBinary(file, header, executor);
+  const PlyHeader header = readPlyHeader(file);
+  MeshArrays mesh = header.encoding == PlyEncoding::text
+                      ? readPlyText(file, header, wishes, executor)
+                      : readPlyBinary(file, header, wishes, executor);
   mesh.notes = header.notes;
   return mesh;
 }

@@ -375,7 +375,7 @@ std::vector<const PlyProperty*> PlyElement::others() const
   return found;
 }
 
-std::vector<OtherNumbers> PlyElement::arraysOfOthers() const
+std::vector<OtherNumbers> PlyElement::namedOthers() const
 {
   std::vector<std::string> names;
   for (const PlyProperty* const property : this->others())
@@ -388,7 +388,7 @@ std::vector<OtherNumbers> PlyElement::arraysOfOthers() const
   for (const std::string& own :
     namesOfArrays(numbers, names, {"Normals", "RGB", "RGBA", "TCoords"}))
   {
-    arrays.push_back({own, PlainArray<double>(static_cast<std::size_t>(count))});
+    arrays.push_back({own, {}});
   }
   return arrays;
 }

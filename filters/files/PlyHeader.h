@@ -74,8 +74,8 @@ struct PlyElement
   /// All other single numbers of a vertex.
   std::vector<const PlyProperty*> others() const;
 
-  /// Arrays for these numbers, which are not set yet.
-  std::vector<OtherNumbers> arraysOfOthers() const;
+  /// The names of these numbers, all different, without the numbers.
+  std::vector<OtherNumbers> namedOthers() const;
 
   /// The list of the vertices of a face or strip: vertex_indices or vertex_index, else the only
   /// list of integers; null if there is none.
@@ -100,7 +100,6 @@ struct PlyHeader
   PlyEncoding encoding = PlyEncoding::text;
   std::vector<Message> notes;       ///< on elements with geometry that are not read
   std::vector<PlyElement> elements; ///< in the order of the file
-  bool areOthersWanted = false;     ///< whether numbers of vertices without a meaning are read
   std::size_t bytes = 0;            ///< length of the header
   std::size_t lines = 0;            ///< lines of the header
 

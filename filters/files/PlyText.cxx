@@ -121,9 +121,11 @@ private:
 class PlyTextParser
 {
 public:
-  PlyTextParser(const InputFile& file, const PlyHeader& header, Executor& executor)
+  PlyTextParser(
+    const InputFile& file, const PlyHeader& header, const ColumnWishes& wishes, Executor& executor)
     : file_(file)
     , header_(header)
+    , wishes_(wishes)
     , executor_(executor)
     , progress_(executor)
     , lines_(this->lines())
@@ -220,14 +222,13 @@ private:
     aim(vertex.color(), mesh_.colors);
     aim(vertex.textureCoordinates(), mesh_.textureCoordinates);
     mesh_.colorComponents = static_cast<int>(vertex.color().size());
-    if (header_.areOthersWanted)
+    if (wishes_.others)
     {
-      mesh_.others = vertex.arraysOfOthers();
+      mesh_.others = vertex.namedOthers();
       const std::vector<const PlyProperty*> others = vertex.others();
       for (std::size_t i = 0; i < others.size(); ++i)
       {
-        columns[static_cast<std::size_t>(others[i] - vertex.properties.data())] =
-          Column(mesh_.others[i].numbers.data(), 1);
+        aim({others[i]}, mesh_.others[i].numbers);
       }
     }
     lines_.visit(
@@ -403,6 +404,7 @@ private:
 
   const InputFile& file_;
   const PlyHeader& header_;
+  const ColumnWishes& wishes_;
   Executor& executor_;
   Progress progress_;
   ContentLines lines_;
@@ -411,9 +413,10 @@ private:
 
 } // namespace
 
-MeshArrays readPlyText(const InputFile& file, const PlyHeader& header, Executor& executor)
+MeshArrays readPlyText(
+  const InputFile& file, const PlyHeader& header, const ColumnWishes& wishes, Executor& executor)
 {
-  return PlyTextParser(file, header, executor).run();
+  return PlyTextParser(file, header, wishes, executor).run();
 }
 
 } // namespace winding
