@@ -39,9 +39,9 @@ vtkSmartPointer<vtkPolyData> halfDome()
   vtkSmartPointer<vtkPolyData> surface;
   sphere->Update();
   surface = sphere->GetOutput();
-  for (const auto& [origin, normal] : {std::pair<std::array<double, 3>, std::array<double, 3>>{
-                                         {0, 0, 0}, {0, 1, 0}},
-         {{0, 0, -0.5}, {0, 0, 1}}})
+  for (const auto& [origin, normal] :
+    {std::pair<std::array<double, 3>, std::array<double, 3>>{{0, 0, 0}, {0, 1, 0}},
+      {{0, 0, -0.5}, {0, 0, 1}}})
   {
     vtkNew<vtkPlane> plane;
     plane->SetOrigin(origin.data());
@@ -123,7 +123,7 @@ TEST(Completion, MakesTheWholeOfHalfADome)
 
 TEST(Completion, IsTheSameForFieldsProbesFunctionsAndObliqueImages)
 {
-  constexpr double oblique[9] = {0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, 1};
+  constexpr double turned[9] = {0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, 1};
   const vtkSmartPointer<vtkPolyData> dome = halfDome(), sheet = sheetAt(0.1, false);
   for (const bool isSheet : {false, true})
   {
@@ -134,7 +134,7 @@ TEST(Completion, IsTheSameForFieldsProbesFunctionsAndObliqueImages)
       object->SetFlatBase(isSheet ? nullptr : "down");
       object->SetSheetSide(isSheet ? "down" : nullptr);
     };
-    const vtkSmartPointer<vtkImageData> image = imageAlong(oblique);
+    const vtkSmartPointer<vtkImageData> image = imageAlong(turned);
     vtkNew<vtkWindingNumberField> field;
     field->SetInputData(isSheet ? sheet : dome);
     field->SetLikeData(image);
@@ -161,8 +161,8 @@ TEST(Completion, IsTheSameForFieldsProbesFunctionsAndObliqueImages)
     {
       for (const char* name : {"WindingNumber", "SignedDistance"})
       {
-        ASSERT_NEAR(found->GetArray(name)->GetTuple1(i), expected->GetArray(name)->GetTuple1(i),
-          2e-3)
+        ASSERT_NEAR(
+          found->GetArray(name)->GetTuple1(i), expected->GetArray(name)->GetTuple1(i), 2e-3)
           << name << " at " << i;
       }
       double place[3];
