@@ -1,5 +1,6 @@
 #include "Evaluation.h"
 #include "Handles.h"
+#include "level/CombinedRoots.h"
 #include "level/GridContour.h"
 #include "level/LevelMemory.h"
 #include "level/LevelRoots.h"
@@ -10,6 +11,8 @@
 #include "voxels/BlockSurface.h"
 
 #include <algorithm>
+#include <functional>
+#include <memory>
 
 using namespace winding::c;
 using winding::Field;
@@ -53,47 +56,51 @@ void writeOffsets(winding_mesh& mesh, std::size_t polygons, std::int64_t corners
   }
 }
 
-/// The surface between inside and outside, for one call.
+/// A share of the progress of a call.
+struct Share
+{
+  double begin = 0, end = 1;
+
+  double at(double part) const { return begin + part * (end - begin); }
+};
+
+void setShare(Call& call, const Share& share, double begin, double end)
+{
+  call.executor.setShare(share.at(begin), share.at(end));
+}
+
+/// The surface between inside and outside of a field, for one call.
 class LevelSurface
 {
 public:
   LevelSurface(const winding_field& handle, const Grid& grid, const winding_rule& rule,
-    const winding_surface_options& options, Call& call)
+    const winding_surface_options& options, Call& call, Share share = {})
     : handle_(handle)
     , field_(*handle.field)
     , grid_(grid)
     , rule_(rule)
     , options_(options)
     , call_(call)
+    , share_(share)
     , edges_(field_, grid, ruleOf(rule), rule.winding_threshold, options.close_border != 0)
   {
   }
 
-  void make(winding_mesh& mesh)
+  /// Finds the edges of the grid that the surface crosses.
+  void findEdges()
   {
     while (!edges_.isDone())
     {
-      call_.executor.setShare(0.5 * edges_.progress(), 0.5 * edges_.nextProgress());
+      setShare(call_, share_, 0.5 * edges_.progress(), 0.5 * edges_.nextProgress());
       edges_.advance(call_.executor);
-    }
-    this->warn();
-    const bool areDoubles =
-      options_.type == 0 ? winding::needsDoublePoints(grid_) : options_.type == WINDING_FLOAT64;
-    if (options_.features == WINDING_FEATURES_SHARP)
-    {
-      this->makeSharp(mesh, areDoubles);
-    }
-    else
-    {
-      this->makeSmooth(mesh, areDoubles);
     }
   }
 
-private:
-  void warn()
+  /// Warns of what the edges say of the field; `isWhole` says whether it is the whole result.
+  void warn(bool isWhole)
   {
     const bool isAllInside = edges_.size() == 0 && edges_.beginsInside(0, 0);
-    if (isAllInside)
+    if (isAllInside && isWhole)
     {
       call_.warn(winding::allInsideAdvice());
     }
@@ -101,6 +108,7 @@ private:
     result.sides = edges_.sides();
     result.isEmpty = edges_.size() == 0 && !isAllInside;
     result.mayCloseBorder = options_.close_border == 0;
+    result.withoutAdvice = !isWhole;
     result.isInside = [this](int i, int j, int k)
     {
       return edges_.isSampleInside({i, j, k});
@@ -108,70 +116,114 @@ private:
     warnOfResult(handle_, grid_, result, rule_, call_);
   }
 
-  void findRoots(winding::LevelRoots& roots) const
+  /// Finds where the surface crosses the edges.
+  const winding::EdgeRoots& findRoots()
   {
+    winding::LevelRoots roots(field_, grid_, edges_, ruleOf(rule_), rule_.winding_threshold,
+      handle_.tolerance, call_.executor);
     for (double progress = 0.5; !roots.isDone();)
     {
       const double next = progress + (1 - progress) / 8;
-      call_.executor.setShare(progress, next);
+      setShare(call_, share_, progress, next);
       progress = next;
       roots.advance(call_.executor);
     }
-  }
-
-  winding::LevelRoots newRoots() const
-  {
-    return winding::LevelRoots(field_, grid_, edges_, ruleOf(rule_), rule_.winding_threshold,
-      handle_.tolerance, call_.executor);
-  }
-
-  void makeSmooth(winding_mesh& mesh, bool areDoubles)
-  {
-    winding::GridContour contour(grid_, edges_, call_.executor);
-    mesh.corners.resize(3 * contour.triangles());
-    writeOffsets(mesh, contour.triangles(), 3);
-    contour.takeTriangles(mesh.corners.data(), call_.executor);
-    winding::LevelRoots roots = this->newRoots();
-    this->findRoots(roots);
-    writePoints(mesh, contour.vertices(), areDoubles,
-      [&](auto* points)
-      {
-        contour.place(roots.fractions(), points, call_.executor);
-        if (options_.generate_normals)
-        {
-          mesh.pointNormals.resize(3 * contour.vertices());
-          contour.writeNormals(
-            mesh.corners.data(), points, roots.normals(), mesh.pointNormals.data(), call_.executor);
-        }
-      });
-  }
-
-  void makeSharp(winding_mesh& mesh, bool areDoubles)
-  {
-    winding::LevelRoots roots = this->newRoots();
-    this->findRoots(roots);
-    const winding::SharpContour contour(
-      field_, grid_, edges_, roots, options_.generate_triangles != 0, call_.executor);
-    writePoints(mesh, contour.vertices(), areDoubles,
-      [&](auto* points) { contour.place(points, call_.executor); });
-    mesh.offsets.resize(contour.polygons() + 1);
-    mesh.corners.resize(contour.corners());
-    contour.writePolygons(mesh.offsets.data(), mesh.corners.data(), call_.executor);
-    if (options_.generate_normals)
+    if (options_.features == WINDING_FEATURES_SHARP)
     {
-      mesh.polygonNormals.resize(3 * contour.polygons());
-      contour.writeNormals(mesh.polygonNormals.data(), call_.executor);
+      roots.addGradients(call_.executor);
     }
+    roots_ = roots.take();
+    return roots_;
   }
 
+  const winding::LevelEdges& edges() const { return edges_; }
+  const winding::EdgeRoots& roots() const { return roots_; }
+
+private:
   const winding_field& handle_;
   const Field& field_;
   const Grid& grid_;
   const winding_rule& rule_;
   const winding_surface_options& options_;
   Call& call_;
+  Share share_;
   winding::LevelEdges edges_;
+  winding::EdgeRoots roots_ = winding::EdgeRoots(0);
 };
+
+/// Writes the surface that crosses edges. `findRoots` finds where; `operands` are numbers of the
+/// edges that polygons get, or null.
+void writeSurface(const Grid& grid, const winding::LevelEdges& edges,
+  const std::function<const winding::EdgeRoots&()>& findRoots,
+  const std::vector<std::uint32_t>* operands, const winding_surface_options& options, Call& call,
+  winding_mesh& mesh)
+{
+  const bool areDoubles =
+    options.type == 0 ? winding::needsDoublePoints(grid) : options.type == WINDING_FLOAT64;
+  if (options.features == WINDING_FEATURES_SHARP)
+  {
+    const winding::SharpContour contour(
+      grid, edges, findRoots(), options.generate_triangles != 0, call.executor);
+    writePoints(mesh, contour.vertices(), areDoubles,
+      [&](auto* points) { contour.place(points, call.executor); });
+    mesh.offsets.resize(contour.polygons() + 1);
+    mesh.corners.resize(contour.corners());
+    contour.writePolygons(mesh.offsets.data(), mesh.corners.data(), call.executor);
+    if (options.generate_normals)
+    {
+      mesh.polygonNormals.resize(3 * contour.polygons());
+      contour.writeNormals(mesh.polygonNormals.data(), call.executor);
+    }
+    if (operands)
+    {
+      std::vector<std::uint32_t> edgeOf(contour.polygons());
+      contour.writeEdges(edgeOf.data(), call.executor);
+      mesh.numbers.resize(edgeOf.size());
+      std::transform(edgeOf.begin(), edgeOf.end(), mesh.numbers.begin(),
+        [operands](std::uint32_t edge) { return (*operands)[edge]; });
+    }
+    return;
+  }
+  winding::GridContour contour(grid, edges, call.executor);
+  mesh.corners.resize(3 * contour.triangles());
+  writeOffsets(mesh, contour.triangles(), 3);
+  contour.takeTriangles(mesh.corners.data(), call.executor);
+  const winding::EdgeRoots& roots = findRoots();
+  writePoints(mesh, contour.vertices(), areDoubles,
+    [&](auto* points)
+    {
+      contour.place(roots, points, call.executor);
+      if (options.generate_normals)
+      {
+        mesh.pointNormals.resize(3 * contour.vertices());
+        contour.writeNormals(
+          mesh.corners.data(), points, roots.normals, mesh.pointNormals.data(), call.executor);
+      }
+    });
+  if (operands)
+  {
+    mesh.numbers.resize(contour.triangles());
+    for (std::size_t triangle = 0; triangle < mesh.numbers.size(); ++triangle)
+    {
+      mesh.numbers[triangle] = winding::operandOf(&mesh.corners[3 * triangle], *operands);
+    }
+  }
+}
+
+winding_surface_options checkedOptions(const winding_surface_options* options, const Grid& grid)
+{
+  const winding_surface_options wished = known(options, defaultSurfaceOptions());
+  winding::checkProperty(winding::Parameter::features, wished.features);
+  if (wished.type != 0 && wished.type != WINDING_FLOAT32 && wished.type != WINDING_FLOAT64)
+  {
+    throw Misuse("options.type is no type of floating-point numbers");
+  }
+  if (!wished.close_border)
+  {
+    winding::refuseFlatGrid(grid);
+  }
+  return wished;
+}
 
 /// Makes the quads between voxels, with labels on both sides of them.
 template <class Label>
@@ -225,23 +277,86 @@ winding_status winding_level_surface(const winding_field* field, const winding_g
       const winding_field& handle = required(field, "field");
       const Grid samples = gridOf(grid);
       const winding_rule inside = known(rule, defaultRule());
-      const winding_surface_options wished = known(options, defaultSurfaceOptions());
-      winding::checkProperty(winding::Parameter::features, wished.features);
-      if (wished.type != 0 && wished.type != WINDING_FLOAT32 && wished.type != WINDING_FLOAT64)
-      {
-        throw Misuse("options.type is no type of floating-point numbers");
-      }
-      if (!wished.close_border)
-      {
-        winding::refuseFlatGrid(samples);
-      }
+      const winding_surface_options wished = checkedOptions(options, samples);
       Call call(run);
       giveHandle(*mesh,
         [&](winding_mesh& made)
         {
           LevelSurface surface(handle, samples, inside, wished, call);
           evaluateInTime(*handle.field, handle.tolerance,
-            winding::sampleCount(samples.wholeExtent()), call, [&] { surface.make(made); });
+            winding::sampleCount(samples.wholeExtent()), call,
+            [&]
+            {
+              surface.findEdges();
+              surface.warn(true);
+              writeSurface(
+                samples, surface.edges(),
+                [&]() -> const winding::EdgeRoots& { return surface.findRoots(); }, nullptr, wished,
+                call, made);
+            });
+        });
+    });
+}
+
+winding_status winding_boolean(const winding_field* const* fields, size_t count, int32_t operation,
+  const winding_grid* grid, const winding_rule* rules, const winding_surface_options* options,
+  const winding_run* run, winding_mesh** mesh, winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      required(mesh, "mesh") = nullptr;
+      const winding_field* const* first = &required(fields, "fields");
+      if (count < 2)
+      {
+        throw winding::Refusal(winding::Message("there are fewer than two solids"));
+      }
+      winding::checkProperty(winding::Parameter::booleanOperation, operation);
+      const auto kind = static_cast<winding::BooleanOperation>(operation);
+      const Grid samples = gridOf(grid);
+      const winding_surface_options wished = checkedOptions(options, samples);
+      std::vector<winding_rule> inside(count, defaultRule());
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        required(first[i], "fields[i]");
+        inside[i] = rules ? known(rules + i, defaultRule()) : inside[i];
+      }
+      Call call(run);
+      giveHandle(*mesh,
+        [&](winding_mesh& made)
+        {
+          std::vector<std::unique_ptr<LevelSurface>> surfaces;
+          std::vector<const winding::LevelEdges*> edges;
+          std::vector<winding::LevelOperand> operands;
+          const double parts = static_cast<double>(count) + 1;
+          for (std::size_t i = 0; i < count; ++i)
+          {
+            const auto done = static_cast<double>(i);
+            surfaces.push_back(std::make_unique<LevelSurface>(*first[i], samples, inside[i], wished,
+              call, Share{done / parts, (done + 1) / parts}));
+            LevelSurface& surface = *surfaces.back();
+            evaluateInTime(*first[i]->field, first[i]->tolerance,
+              winding::sampleCount(samples.wholeExtent()), call,
+              [&]
+              {
+                surface.findEdges();
+                surface.warn(false);
+                surface.findRoots();
+              });
+            edges.push_back(&surface.edges());
+            operands.push_back({&surface.edges(), &surface.roots()});
+          }
+          setShare(call, {1 - 1 / parts, 1}, 0, 1);
+          const winding::LevelEdges result(edges, kind, samples, call.executor);
+          const winding::CombinedRoots combined(result, operands, kind, call.executor);
+          writeSurface(
+            samples, result, [&]() -> const winding::EdgeRoots& { return combined.roots; },
+            &combined.operands, wished, call, made);
+          if (result.size() == 0)
+          {
+            call.warn(result.beginsInside(0, 0) ? winding::allInsideAdvice()
+                                                : winding::emptyResultAdvice());
+          }
         });
     });
 }

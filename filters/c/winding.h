@@ -508,7 +508,8 @@ extern "C"
     const float* polygon_normals;     /**< three each, of unit length or 0 */
     const double* point_areas;        /**< one each */
     const uint16_t* labels;           /**< two for each polygon: behind it, and before it */
-    const int64_t* numbers;           /**< one for each polygon, which winding_faults() explains */
+    const int64_t* numbers;           /**< one for each polygon, which winding_faults() and
+                                           winding_boolean() explain */
     int64_t column_count;             /**< of winding_read_table() and winding_read_columns() */
     int64_t line_count;               /**< of a file */
     const int64_t* line_offsets;      /**< line_count + 1 */
@@ -606,6 +607,38 @@ extern "C"
   WINDING_API winding_status winding_level_surface(const winding_field* field,
     const winding_grid* grid, const winding_rule* rule, const winding_surface_options* options,
     const winding_run* run, winding_mesh** mesh, winding_refusal* refusal);
+
+  /** The operations on several solids. */
+  typedef enum winding_operation
+  {
+    WINDING_OPERATION_UNION = 0,        /**< what is inside of any */
+    WINDING_OPERATION_INTERSECTION = 1, /**< what is inside of all */
+    WINDING_OPERATION_DIFFERENCE = 2,   /**< what is inside of the first, and of no other */
+    WINDING_OPERATION_XOR = 3           /**< what is inside of an odd number */
+  } winding_operation;
+
+  /**
+   * Makes the surface of the result of an operation on solids, which fields enclose. Its vertices
+   * lie on the edges of a grid, exactly where the solid ends whose side decides there. It is
+   * closed, except at the border of the grid, and 2-manifold. The array `numbers` of the mesh has
+   * the number of the field that each polygon lies on, from 0 on.
+   *
+   * @param fields one for each solid
+   * @param count of solids, 2 or more
+   * @param operation a winding_operation
+   * @param grid the samples
+   * @param rules the rule for what is inside of each; null for the defaults
+   * @param options null for the defaults
+   * @param run null for the defaults
+   * @param mesh receives the surface, or null; winding_mesh_free() gives it back
+   * @param refusal receives why the call was refused, unless it is null
+   *
+   * Warns of fields as winding_evaluate_grid() does, but not of the grid, and of an empty result.
+   */
+  WINDING_API winding_status winding_boolean(const winding_field* const* fields, size_t count,
+    int32_t operation, const winding_grid* grid, const winding_rule* rules,
+    const winding_surface_options* options, const winding_run* run, winding_mesh** mesh,
+    winding_refusal* refusal);
 
   /**
    * Makes the faces of voxels, as quads, between labels that differ.

@@ -111,6 +111,14 @@ inline const Call allCalls[] = {
       return winding_level_surface(
         a.field.get(), &a.grid, &a.rule, nullptr, &a.run, &a.madeMesh, &a.refusal);
     }},
+  {"winding_boolean",
+    [](Arguments& a)
+    {
+      const winding_field* const fields[] = {a.field.get(), a.field.get()};
+      const winding_rule rules[] = {a.rule, a.rule};
+      return winding_boolean(fields, 2, WINDING_OPERATION_UNION, &a.grid, rules, nullptr, &a.run,
+        &a.madeMesh, &a.refusal);
+    }},
   {"winding_voxel_surface",
     [](Arguments& a)
     {
@@ -160,12 +168,13 @@ inline const Call allCalls[] = {
     }},
   {"winding_weld",
     [](Arguments& a)
-    { return winding_weld(a.points, 0.01, &a.run, a.doubles.data(), &a.refusal); }},
+    {
+      return winding_weld(a.points, 0.01, &a.run, a.doubles.data(), &a.refusal);
+    }},
   {"winding_complete",
     [](Arguments& a)
     {
-      return winding_complete(
-        a.points, &a.polygons, &a.options, &a.run, &a.madeMesh, &a.refusal);
+      return winding_complete(a.points, &a.polygons, &a.options, &a.run, &a.madeMesh, &a.refusal);
     }},
   {"winding_complete_bounds",
     [](Arguments& a)

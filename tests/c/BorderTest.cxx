@@ -98,14 +98,16 @@ TEST(Border, RefusesStructsWithoutASizeAndNullPointers)
   expectMisuse(
     [](Arguments& a) { a.values.size = 0; }, "winding_evaluate_grid winding_evaluate_points");
   expectMisuse([](Arguments& a) { a.rule.size = 3; },
-    "winding_evaluate_grid winding_evaluate_points winding_level_surface winding_label");
+    "winding_evaluate_grid winding_evaluate_points winding_level_surface winding_boolean "
+    "winding_label");
   expectMisuse([](Arguments& a) { a.options.size = 0; },
     "winding_faces winding_points winding_estimate_normals winding_point_areas winding_complete "
     "winding_complete_bounds");
   expectMisuse([](Arguments& a) { a.field.reset(); },
-    "winding_evaluate_grid winding_evaluate_points winding_level_surface winding_label");
-  const auto spoilGrid = "winding_evaluate_grid winding_level_surface winding_voxel_surface "
-                         "winding_label";
+    "winding_evaluate_grid winding_evaluate_points winding_level_surface winding_boolean "
+    "winding_label");
+  const auto spoilGrid = "winding_evaluate_grid winding_level_surface winding_boolean "
+                         "winding_voxel_surface winding_label";
   expectMisuse([](Arguments& a) { a.grid.dimensions[2] = 0; }, spoilGrid);
   expectMisuse([](Arguments& a) { a.grid.spacing[1] = -1; }, spoilGrid);
   expectMisuse([](Arguments& a) { a.grid.origin[0] = std::nan(""); }, spoilGrid);

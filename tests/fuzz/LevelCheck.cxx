@@ -73,14 +73,14 @@ std::string findRoots(LevelRoots& roots, Executor& executor)
     }
     roots.advance(executor);
   }
-  for (const double fraction : roots.fractions())
+  for (const double fraction : roots.roots().fractions)
   {
     if (!(fraction >= 0 && fraction <= 1))
     {
       return "a root lies at " + std::to_string(fraction) + " of its edge";
     }
   }
-  const bool areFinite = std::all_of(roots.normals().begin(), roots.normals().end(),
+  const bool areFinite = std::all_of(roots.roots().normals.begin(), roots.roots().normals.end(),
     [](const Eigen::Vector3f& normal) { return normal.allFinite(); });
   return areFinite ? std::string() : "a normal is not finite";
 }
@@ -128,7 +128,8 @@ std::string checkLevel(Choices& choices)
   {
     return failure;
   }
-  const bool same = roots.fractions() == again.fractions() && roots.normals() == again.normals();
+  const bool same = roots.roots().fractions == again.roots().fractions &&
+                    roots.roots().normals == again.roots().normals;
   return same ? std::string() : "roots depend on the executor";
 }
 

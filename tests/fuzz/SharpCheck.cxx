@@ -43,8 +43,9 @@ struct Sharp
     {
       roots->advance(executor);
     }
+    roots->addGradients(executor);
     mesh = std::make_unique<DualMesh>(grid, edges, executor);
-    vertices = std::make_unique<SharpVertices>(field, grid, edges, *roots, *mesh, executor);
+    vertices = std::make_unique<SharpVertices>(grid, edges, roots->roots(), *mesh, executor);
   }
 
   LevelEdges edges;

@@ -71,6 +71,9 @@ enum class Parameter
   generateDistanceToInput,
   fidelitySamples,
 
+  // booleans
+  booleanOperation,
+
   // hyper tree grids
   mergeTolerance,
   maskOutside,

@@ -14,10 +14,6 @@ namespace
 
 constexpr std::size_t verticesPerBlock = 8192;
 
-/// Vertices keep this far away from the ends of their edges: far less than anybody sees, but more
-/// than what single precision rounds.
-constexpr double margin = 1.0 / (1 << 12);
-
 /// Adds the corners of the triangles in the cells between four rows.
 void addTriangles(const LevelEdges& edges, int j, int k, int firstCell, int endOfCells,
   std::vector<std::uint32_t>& corners)
@@ -88,8 +84,7 @@ void GridContour::takeTriangles(std::int64_t* ids, Executor& executor)
 }
 
 template <class Real>
-void GridContour::place(
-  const std::vector<double>& fractions, Real* points, Executor& executor) const
+void GridContour::place(const EdgeRoots& roots, Real* points, Executor& executor) const
 {
   runBlocks(
     edges_.size(), verticesPerBlock,
@@ -97,10 +92,8 @@ void GridContour::place(
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        const GridEdge& edge = edges_[i];
-        Eigen::Vector3d steps(edge.sample[0], edge.sample[1], edge.sample[2]);
-        steps[edge.axis] += std::clamp(fractions[i], margin, 1 - margin);
-        const Eigen::Vector3d position = grid_.firstSample + steps.cwiseProduct(grid_.spacing);
+        const Eigen::Vector3d position =
+          grid_.firstSample + roots.place(edges_[i], i).cwiseProduct(grid_.spacing);
         Eigen::Map<Eigen::Matrix<Real, 3, 1>>(points + 3 * i) = position.template cast<Real>();
       }
     },
@@ -193,8 +186,8 @@ void GridContour::writeNormals(const std::int64_t* ids, const Real* points,
   }
 }
 
-template void GridContour::place(const std::vector<double>&, float*, Executor&) const;
-template void GridContour::place(const std::vector<double>&, double*, Executor&) const;
+template void GridContour::place(const EdgeRoots&, float*, Executor&) const;
+template void GridContour::place(const EdgeRoots&, double*, Executor&) const;
 template void GridContour::writeNormals(
   const std::int64_t*, const float*, const std::vector<Eigen::Vector3f>&, float*, Executor&) const;
 template void GridContour::writeNormals(

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Executor.h"
-#include "level/LevelEdges.h"
+#include "level/EdgeRoots.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -35,11 +35,9 @@ public:
   /// Writes the vertices of all triangles to `ids`, and forgets them. Call it once.
   void takeTriangles(std::int64_t* ids, Executor& executor);
 
-  /// Writes the vertices to `points`, in the order of the edges, at these fractions of them: 0 at
-  /// the first sample, 1 at the second. Vertices keep a little away from both, so that no two
-  /// coincide. `Real` is float or double.
-  template <class Real>
-  void place(const std::vector<double>& fractions, Real* points, Executor& executor) const;
+  /// Writes the vertices to `points`, in the order of the edges, at the roots. Vertices keep a
+  /// little away from both samples, so that no two coincide. `Real` is float or double.
+  template <class Real> void place(const EdgeRoots& roots, Real* points, Executor& executor) const;
 
   /// Writes unit normals of the vertices at `points` to `normals`. They point outward: the `known`
   /// normals, turned if need be. A vertex whose known normal is 0 gets the mean of the triangles

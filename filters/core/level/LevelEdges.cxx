@@ -14,6 +14,35 @@ namespace
 
 constexpr double bytesPerSample = sizeof(float) + 1;
 
+/// Finds the runs of the result of an operation on rows of several operands. Each has one run or
+/// more.
+void mergeRuns(const std::vector<std::vector<RowRun>>& rows, BooleanOperation operation,
+  std::vector<RowRun>& merged)
+{
+  std::vector<const RowRun*> runs;
+  for (const std::vector<RowRun>& row : rows)
+  {
+    runs.push_back(row.data());
+  }
+  const int width = rows.front().back().end;
+  merged.clear();
+  for (int begin = 0, end = width; begin < width; begin = end, end = width)
+  {
+    std::size_t inside = 0;
+    for (const RowRun* run : runs)
+    {
+      inside += run->value != 0;
+      end = std::min(end, run->end);
+    }
+    merged.push_back(
+      {begin, end, isInResult(operation, runs.size(), inside, runs.front()->value != 0)});
+    for (const RowRun*& run : runs)
+    {
+      run += run->end == end && end < width;
+    }
+  }
+}
+
 int layersOfSlab(const Grid& grid, double bytes)
 {
   // The layer that slabs share counts little among 16 or more, and multiples of 16 suit far fields.
@@ -173,7 +202,7 @@ private:
 
 LevelEdges::LevelEdges(const Field& field, const Grid& grid, InsideRule rule, double threshold,
   bool withBorder, double slabBytes)
-  : field_(field)
+  : field_(&field)
   , grid_(grid)
   , rule_(rule)
   , threshold_(threshold)
@@ -184,6 +213,42 @@ LevelEdges::LevelEdges(const Field& field, const Grid& grid, InsideRule rule, do
   , starts_(this->lineOf(0, -border_, grid.dimensions[2] + border_) + 1, 0)
   , beginsInside_(starts_.size() / 3, 0)
 {
+}
+
+LevelEdges::LevelEdges(const std::vector<const LevelEdges*>& operands, BooleanOperation operation,
+  const Grid& grid, Executor& executor)
+  : field_(nullptr)
+  , grid_(grid)
+  , border_(operands.front()->border_)
+  , starts_(this->lineOf(0, -border_, grid.dimensions[2] + border_) + 1, 0)
+  , beginsInside_(starts_.size() / 3, 0)
+{
+  const auto depth = static_cast<std::size_t>(grid.dimensions[2]);
+  std::vector<Layer> layers(depth + 2, Layer(border_));
+  const auto stateOf = [](const RowRun& run)
+  {
+    return Layer::State{run.value != 0, 0};
+  };
+  runBlocks(
+    depth, 1,
+    [&](std::size_t k, std::size_t, std::size_t)
+    {
+      std::vector<std::vector<RowRun>> rows(operands.size());
+      std::vector<RowRun> merged;
+      for (int j = 0; j < grid.dimensions[1]; ++j)
+      {
+        for (std::size_t n = 0; n < operands.size(); ++n)
+        {
+          operands[n]->findRuns(j, static_cast<int>(k), rows[n]);
+        }
+        mergeRuns(rows, operation, merged);
+        layers[k + 1].addRow(merged, stateOf);
+      }
+    },
+    executor);
+  this->addEdges(layers, nullptr, executor);
+  nextLayer_ = grid.dimensions[2];
+  this->endAfterLastLayer();
 }
 
 LevelEdges::~LevelEdges() = default;
@@ -217,9 +282,36 @@ void LevelEdges::advance(Executor& executor)
   }
   if (this->isDone())
   {
-    // No edge begins in the border behind the last layer.
-    std::fill(starts_.begin() + static_cast<std::ptrdiff_t>(this->lineOf(0, -border_, nextLayer_)),
-      starts_.end(), static_cast<std::uint32_t>(edges_.size()));
+    this->endAfterLastLayer();
+  }
+}
+
+/// Ends the table of rows: no edge begins in the border behind the last layer.
+void LevelEdges::endAfterLastLayer()
+{
+  std::fill(starts_.begin() + static_cast<std::ptrdiff_t>(this->lineOf(0, -border_, nextLayer_)),
+    starts_.end(), static_cast<std::uint32_t>(edges_.size()));
+}
+
+/// Describes a row of the grid, without its border, as runs with value 1 inside and 0 outside.
+void LevelEdges::findRuns(int j, int k, std::vector<RowRun>& runs) const
+{
+  const auto [first, last] = this->inRow(0, j, k);
+  RowRun run = {0, 0, this->beginsInside(j, k)};
+  runs.clear();
+  for (std::size_t edge = first; edge < last; ++edge)
+  {
+    run.end = edges_[edge].sample[0] + 1;
+    if (run.end > run.begin)
+    {
+      runs.push_back(run);
+    }
+    run = {run.end, 0, !edges_[edge].firstIsInside};
+  }
+  run.end = grid_.dimensions[0];
+  if (run.end > run.begin)
+  {
+    runs.push_back(run);
   }
 }
 
@@ -269,7 +361,7 @@ void LevelEdges::advanceBySamples(Executor& executor)
   {
     slab_ = std::make_unique<Slab>(grid_, end);
   }
-  slab_->evaluate(field_, grid_, nextLayer_, end - 1, rule_, threshold_, executor);
+  slab_->evaluate(*field_, grid_, nextLayer_, end - 1, rule_, threshold_, executor);
   const auto count = static_cast<std::size_t>(end - nextLayer_);
   std::vector<Layer> layers(count + 1, Layer(border_));
   layers[0] = std::move(*lastLayer_);

@@ -50,8 +50,7 @@ LevelRoots::LevelRoots(const Field& field, const Grid& grid, const LevelEdges& e
   , levelTolerance_(0.05 * std::max(tolerance, FarFieldAccuracy::finest))
   , jumpsOnly_(field.info().jumpsOnly())
   , isParity_(field.info().method == Method::parity)
-  , fractions_(edges.size(), 0.5)
-  , normals_(edges.size(), Eigen::Vector3f::Zero())
+  , roots_(edges.size())
 {
   if (field.surface())
   {
@@ -134,8 +133,8 @@ bool LevelRoots::isFoundByCrossings(const Search& search)
   {
     return false;
   }
-  fractions_[search.edge] = crossing->fraction;
-  normals_[search.edge] = crossing->normal;
+  roots_.fractions[search.edge] = crossing->fraction;
+  roots_.normals[search.edge] = crossing->normal;
   return true;
 }
 
@@ -146,14 +145,14 @@ bool LevelRoots::isFound(const Search& search)
   {
     return true;
   }
-  double& root = fractions_[search.edge];
+  double& root = roots_.fractions[search.edge];
   if (search.high - search.low <= shortest)
   {
     root = 0.5 * (search.low + search.high);
     const auto [first, last] = this->crossingsBetween(search.edge, search.low, search.high);
     if (first != last)
     {
-      normals_[search.edge] = first[(last - first) / 2].normal;
+      roots_.normals[search.edge] = first[(last - first) / 2].normal;
     }
     return true;
   }
@@ -260,6 +259,29 @@ void LevelRoots::advance(Executor& executor)
     this->narrow(searches_[i], values[i]);
   }
   this->dropFound(executor);
+}
+
+void LevelRoots::addGradients(Executor& executor)
+{
+  std::vector<std::size_t> without;
+  std::vector<double> positions;
+  for (std::size_t edge = 0; edge < edges_.size(); ++edge)
+  {
+    if (roots_.normals[edge].isZero(0) && !edges_.isAtBorder(edges_[edge]))
+    {
+      const Eigen::Vector3d position =
+        grid_.firstSample + roots_.place(edges_[edge], edge).cwiseProduct(grid_.spacing);
+      without.push_back(edge);
+      positions.insert(positions.end(), position.data(), position.data() + 3);
+    }
+  }
+  std::vector<double> gradients(positions.size());
+  field_.gradient(VectorsView(positions.data(), without.size()), gradients.data(), executor);
+  for (std::size_t n = 0; n < without.size(); ++n)
+  {
+    const Eigen::Map<const Eigen::Vector3d> gradient(&gradients[3 * n]);
+    roots_.normals[without[n]] = gradient.stableNormalized().cast<float>();
+  }
 }
 
 } // namespace winding

@@ -2,6 +2,7 @@
 
 #include "base/Executor.h"
 #include "level/EdgeCrossings.h"
+#include "level/EdgeRoots.h"
 
 #include <cstdint>
 #include <memory>
@@ -45,12 +46,16 @@ public:
   /// Goes through the next round; mostly there are less than 20. Throws Interrupted.
   void advance(Executor& executor);
 
-  /// The roots, one for each edge: 0 at its first sample, 1 at its second; 0.5 at the border.
-  const std::vector<double>& fractions() const { return fractions_; }
+  /// Gives roots that lie on no triangle the direction of the gradient of the field as a normal, if
+  /// it is not 0. The roots must be done. Throws Interrupted.
+  void addGradients(Executor& executor);
 
-  /// The unit normal of the triangle that each root lies on. It is 0 where no triangle is known:
+  /// The roots. Their normals are the unit normals of the triangles that they lie on; none is known
   /// for clouds, at the border, and where the level is off the surface.
-  const std::vector<Eigen::Vector3f>& normals() const { return normals_; }
+  const EdgeRoots& roots() const { return roots_; }
+
+  /// Hands the roots over.
+  EdgeRoots take() { return std::move(roots_); }
 
 private:
   /// The bracket of a root that is not found yet: two fractions of an edge, and the field there.
@@ -81,8 +86,7 @@ private:
   bool jumpsOnly_; ///< whether the field changes at crossings of the surface only
   bool isParity_;  ///< whether the field is w modulo 2
   std::unique_ptr<const EdgeCrossings> crossings_; ///< null for clouds
-  std::vector<double> fractions_;
-  std::vector<Eigen::Vector3f> normals_;
+  EdgeRoots roots_;
   std::vector<Search> searches_; ///< searches that are not done
 };
 

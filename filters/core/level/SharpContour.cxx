@@ -12,13 +12,13 @@ constexpr std::size_t edgesPerBlock = 4096;
 
 } // namespace
 
-SharpContour::SharpContour(const Field& field, const Grid& grid, const LevelEdges& edges,
-  const LevelRoots& roots, bool areTriangles, Executor& executor)
+SharpContour::SharpContour(const Grid& grid, const LevelEdges& edges, const EdgeRoots& roots,
+  bool areTriangles, Executor& executor)
   : grid_(grid)
   , edges_(edges)
   , areTriangles_(areTriangles)
   , mesh_(grid, edges, executor)
-  , vertices_(field, grid, edges, roots, mesh_, executor)
+  , vertices_(grid, edges, roots, mesh_, executor)
   , splits_(edges.size(), QuadSplit::first)
   , starts_((edges.size() + edgesPerBlock - 1) / edgesPerBlock + 1)
 {
@@ -57,7 +57,7 @@ SharpContour::SharpContour(const Field& field, const Grid& grid, const LevelEdge
   }
 }
 
-/// Calls visit(vertices, count) for each polygon of a block of edges.
+/// Calls visit(vertices, count, edge) for each polygon of a block of edges.
 template <class Visit> void SharpContour::forPolygons(std::size_t block, const Visit& visit) const
 {
   std::size_t fan = mesh_.size() + starts_[block].fan;
@@ -82,19 +82,19 @@ template <class Visit> void SharpContour::forPolygons(std::size_t block, const V
       for (std::size_t n = 0; n < 4; ++n)
       {
         const std::size_t triangle[3] = {fan, corners[n], corners[(n + 1) % 4]};
-        visit(triangle, 3);
+        visit(triangle, 3, edge);
       }
       ++fan;
     }
     else if (areTriangles_)
     {
       const std::size_t second[3] = {corners[0], corners[2], corners[3]};
-      visit(corners, 3);
-      visit(second, 3);
+      visit(corners, 3, edge);
+      visit(second, 3, edge);
     }
     else
     {
-      visit(corners, 4);
+      visit(corners, 4, edge);
     }
   }
 }
@@ -130,7 +130,7 @@ void SharpContour::writePolygons(std::int64_t* offsets, std::int64_t* ids, Execu
     {
       std::size_t polygon = starts_[block].polygon, corner = starts_[block].corner;
       this->forPolygons(block,
-        [&](const std::size_t* vertices, std::size_t count)
+        [&](const std::size_t* vertices, std::size_t count, std::size_t)
         {
           offsets[polygon++] = static_cast<std::int64_t>(corner);
           for (std::size_t n = 0; n < count; ++n)
@@ -143,6 +143,19 @@ void SharpContour::writePolygons(std::int64_t* offsets, std::int64_t* ids, Execu
   offsets[this->polygons()] = static_cast<std::int64_t>(this->corners());
 }
 
+void SharpContour::writeEdges(std::uint32_t* numbers, Executor& executor) const
+{
+  runBlocks(
+    this->blocks(), 1,
+    [&](std::size_t block, std::size_t, std::size_t)
+    {
+      std::size_t polygon = starts_[block].polygon;
+      this->forPolygons(block, [&](const std::size_t*, std::size_t, std::size_t edge)
+        { numbers[polygon++] = static_cast<std::uint32_t>(edge); });
+    },
+    executor);
+}
+
 void SharpContour::writeNormals(float* normals, Executor& executor) const
 {
   const Eigen::Vector3d units = grid_.spacing / grid_.spacing.maxCoeff();
@@ -152,7 +165,7 @@ void SharpContour::writeNormals(float* normals, Executor& executor) const
     {
       std::size_t polygon = starts_[block].polygon;
       this->forPolygons(block,
-        [&](const std::size_t* vertices, std::size_t count)
+        [&](const std::size_t* vertices, std::size_t count, std::size_t)
         {
           const auto place = [&](int n) -> Eigen::Vector3d
           {

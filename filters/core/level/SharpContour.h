@@ -25,9 +25,9 @@ namespace winding
 class SharpContour
 {
 public:
-  /// Keeps references. The roots must be done. `areTriangles` says whether to cut all quads.
-  SharpContour(const Field& field, const Grid& grid, const LevelEdges& edges,
-    const LevelRoots& roots, bool areTriangles, Executor& executor);
+  /// Keeps references. `areTriangles` says whether to cut all quads.
+  SharpContour(const Grid& grid, const LevelEdges& edges, const EdgeRoots& roots, bool areTriangles,
+    Executor& executor);
 
   std::size_t vertices() const { return mesh_.size() + fans_.size(); }
   std::size_t polygons() const { return starts_.back().polygon; }
@@ -39,6 +39,9 @@ public:
   /// Writes the ids of all corners, and where each polygon's begin: `offsets` has one more
   /// entry than there are polygons.
   void writePolygons(std::int64_t* offsets, std::int64_t* ids, Executor& executor) const;
+
+  /// Writes the number of the edge of the grid that each polygon lies around.
+  void writeEdges(std::uint32_t* numbers, Executor& executor) const;
 
   /// Writes three components for each polygon: its unit normal, which points outward, or 0 where it
   /// has no area.

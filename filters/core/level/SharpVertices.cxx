@@ -2,15 +2,11 @@
 
 #include "level/FeatureVertex.h"
 
-#include <algorithm>
-
 namespace winding
 {
 
 namespace
 {
-
-constexpr double margin = 1.0 / (1 << 12);
 
 Eigen::Vector3d sampleOf(const GridEdge& edge)
 {
@@ -19,16 +15,14 @@ Eigen::Vector3d sampleOf(const GridEdge& edge)
 
 } // namespace
 
-SharpVertices::SharpVertices(const Field& field, const Grid& grid, const LevelEdges& edges,
-  const LevelRoots& roots, const DualMesh& mesh, Executor& executor)
-  : grid_(grid)
-  , edges_(edges)
+SharpVertices::SharpVertices(const Grid& grid, const LevelEdges& edges, const EdgeRoots& roots,
+  const DualMesh& mesh, Executor& executor)
+  : edges_(edges)
   , roots_(roots)
   , mesh_(mesh)
   , size_(grid.spacing / grid.spacing.maxCoeff())
   , places_(mesh.size())
 {
-  this->addGradients(field, executor);
   runBlocks(
     mesh.layers(), 1,
     [this](std::size_t layer, std::size_t, std::size_t)
@@ -37,38 +31,6 @@ SharpVertices::SharpVertices(const Field& field, const Grid& grid, const LevelEd
         { places_[vertex] = this->placeOf(patch); });
     },
     executor);
-}
-
-void SharpVertices::addGradients(const Field& field, Executor& executor)
-{
-  for (std::size_t edge = 0; edge < edges_.size(); ++edge)
-  {
-    if (roots_.normals()[edge].isZero(0) && !edges_.isAtBorder(edges_[edge]))
-    {
-      withGradient_.push_back(static_cast<std::uint32_t>(edge));
-    }
-  }
-  std::vector<double> samples(3 * withGradient_.size()), found(samples.size());
-  for (std::size_t n = 0; n < withGradient_.size(); ++n)
-  {
-    const Eigen::Vector3d sample =
-      grid_.firstSample + this->crossing(withGradient_[n]).cwiseProduct(grid_.spacing);
-    std::copy_n(sample.data(), 3, &samples[3 * n]);
-  }
-  field.gradient(VectorsView(samples.data(), withGradient_.size()), found.data(), executor);
-  gradients_.resize(withGradient_.size());
-  for (std::size_t n = 0; n < gradients_.size(); ++n)
-  {
-    const Eigen::Map<const Eigen::Vector3d> gradient(&found[3 * n]);
-    gradients_[n] = gradient.stableNormalized().cast<float>();
-  }
-}
-
-Eigen::Vector3d SharpVertices::crossing(std::size_t edge) const
-{
-  Eigen::Vector3d place = sampleOf(edges_[edge]);
-  place[edges_[edge].axis] += std::clamp(roots_.fractions()[edge], margin, 1 - margin);
-  return place;
 }
 
 /// A vertex is sought in units of the largest spacing, so that voxels have their shape, and no unit
@@ -81,17 +43,10 @@ Eigen::Vector3d SharpVertices::placeOf(const DualMesh::Patch& patch) const
   {
     const std::size_t edge = patch.edges[static_cast<std::size_t>(n)];
     Eigen::Vector3d place = sampleOf(edges_[edge]) - corner;
-    place[edges_[edge].axis] += roots_.fractions()[edge];
-    Eigen::Vector3f normal = roots_.normals()[edge];
-    if (edges_.isAtBorder(edges_[edge]))
-    {
-      normal = Eigen::Vector3f::Unit(edges_[edge].axis);
-    }
-    else if (normal.isZero(0))
-    {
-      const auto found = std::lower_bound(withGradient_.begin(), withGradient_.end(), edge);
-      normal = gradients_[static_cast<std::size_t>(found - withGradient_.begin())];
-    }
+    place[edges_[edge].axis] += roots_.fractions[edge];
+    const Eigen::Vector3f normal = edges_.isAtBorder(edges_[edge])
+                                     ? Eigen::Vector3f(Eigen::Vector3f::Unit(edges_[edge].axis))
+                                     : roots_.normals[edge];
     crossings[n] = {place.cwiseProduct(size_), normal.cast<double>()};
   }
   // Patches of one cell keep to boxes of their own, so that they seldom get into each other's way.
@@ -123,7 +78,7 @@ QuadSplit SharpVertices::splitOf(std::size_t edge) const
       quad.corners[corner][n] = place[axes[n]] - start[axes[n]];
     }
   }
-  quad.crossing = roots_.fractions()[edge];
+  quad.crossing = roots_.fractions[edge];
   return betterSplit(quad);
 }
 

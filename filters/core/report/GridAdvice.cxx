@@ -80,6 +80,12 @@ Message allInsideAdvice()
       {"choose a larger grid", {Parameter::padding, Parameter::samplingBounds}}});
 }
 
+Message emptyResultAdvice()
+{
+  return Message("nothing is inside of the result, so the surface is empty",
+    {{"see whether the solids meet", {}}, smallerVoxels()});
+}
+
 bool missesSource(const Grid& grid, const Bounds& source)
 {
   const Eigen::Vector3d low = grid.inGridUnits(source.min()), high = grid.inGridUnits(source.max());

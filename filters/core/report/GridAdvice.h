@@ -33,6 +33,9 @@ void refuseFlatGrid(const Grid& grid);
 /// Returns what to do about a surface that is empty because all samples are inside.
 Message allInsideAdvice();
 
+/// The warning for an operation on solids that leaves nothing.
+Message emptyResultAdvice();
+
 /// Returns the remedy for sources that reach the threshold nowhere.
 inline Remedy lowerThreshold()
 {

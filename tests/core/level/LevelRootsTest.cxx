@@ -70,14 +70,14 @@ TEST(LevelRoots, OfClosedLatticeChainsAreWhereTheFieldJumpsOverTheLevel)
       const Roots found(*field, chain.grid, rule, serial);
       ShuffledThreads threads(seed);
       const Roots again(*field, chain.grid, rule, threads);
-      EXPECT_EQ(found.roots->fractions(), again.roots->fractions());
-      EXPECT_EQ(found.roots->normals(), again.roots->normals());
+      EXPECT_EQ(found.roots->roots().fractions, again.roots->roots().fractions);
+      EXPECT_EQ(found.roots->roots().normals, again.roots->roots().normals);
       for (std::size_t i = 0; i < found.edges.size(); ++i)
       {
         const winding::GridEdge& edge = found.edges[i];
-        const double root = found.roots->fractions()[i];
+        const double root = found.roots->roots().fractions[i];
         ++roots;
-        withNormal += found.roots->normals()[i].norm() > 0;
+        withNormal += found.roots->roots().normals[i].norm() > 0;
         for (const double side : {-beside, beside})
         {
           Eigen::Vector3d steps(edge.sample[0], edge.sample[1], edge.sample[2]);
@@ -149,7 +149,7 @@ TEST(LevelRoots, BesideSamplesOnFacesHaveTheNormalsOfTheFaces)
       ++onFaces;
       Eigen::Vector3f normal = Eigen::Vector3f::Zero();
       normal[edge.axis] = edge.firstIsInside ? 1 : -1;
-      EXPECT_EQ(found.roots->normals()[i], normal)
+      EXPECT_EQ(found.roots->roots().normals[i], normal)
         << edge.sample[edge.axis] << " " << j << " " << k;
     }
   }

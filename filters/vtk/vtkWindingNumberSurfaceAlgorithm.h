@@ -1,0 +1,166 @@
+/**
+ * @class   vtkWindingNumberSurfaceAlgorithm
+ * @brief   base of filters that make surfaces of solids from where grids cross them
+ *
+ * The samples of a grid, which are inside or outside, give the triangles, as marching cubes does
+ * (vtkMarchingCubes). Every vertex then goes to where the solid ends on its edge of the grid. So
+ * the steps that a contour of a field of 0 and 1 shows do not come about: where the source is
+ * closed, vertices lie on it. Vertices next to a sample stay 2⁻¹² of an edge away from it, so that
+ * no two have the same place.
+ *
+ * **Sharp edges.** With Features SHARP the surface is made by dual contouring instead (Ju et al.,
+ * Dual contouring of Hermite data, 2002). Every cell of eight samples has a vertex for each piece
+ * of surface in it, where the planes of the source's triangles meet that cross the cell's edges; so
+ * edges and corners stay sharp, if the cell sees the faces that meet there. Where no triangle
+ * crosses, planes follow the gradient of w. Every crossed edge of the grid has a quad between the
+ * four vertices around it. The surface is 2-manifold, also where two pieces of surface pass one
+ * cell; in these cells triangles may pass through each other, and in no others.
+ *
+ * Triangles face outward, share their vertices, and leave no gaps but at the border of the grid. A
+ * solid may reach beyond it: there the surface ends, or is closed if CloseBorder is on. Details
+ * finer than a voxel may be lost, and edges of the source are cut off inside of voxels. Where all
+ * samples are inside, or none is, the surface is empty, and a warning says what to do.
+ *
+ * **Pipeline.** The grid is laid over the source as it is at each execution. The filter works on
+ * the whole: where several pieces are asked for, the first has everything. Progress and abort are
+ * vtkWindingNumberField's. The result has the same bits for any number of threads, and for
+ * any order of the source's triangles and points. It takes the memory of the triangles and 13 bytes
+ * for each row of the grid. For a source that is not closed the field passes through memory in
+ * slabs of about 100 MB.
+ *
+ * @sa vtkWindingNumberSurface vtkWindingNumberBoolean
+ */
+#ifndef vtkWindingNumberSurfaceAlgorithm_h
+#define vtkWindingNumberSurfaceAlgorithm_h
+
+#include "vtkWindingNumberGridAlgorithm.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+class vtkPolyData;
+
+namespace winding
+{
+class LevelEdges;
+class SmpExecutor;
+struct EdgeRoots;
+} // namespace winding
+
+class VTKFILTERSWINDING_EXPORT vtkWindingNumberSurfaceAlgorithm
+  : public vtkWindingNumberGridAlgorithm
+{
+public:
+  vtkTypeMacro(vtkWindingNumberSurfaceAlgorithm, vtkWindingNumberGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The ways to make the surface of what is inside.
+  enum FeaturesType
+  {
+    SMOOTH = 0, ///< marching cubes; edges of the source are cut off inside of voxels
+    SHARP = 1   ///< dual contouring; edges and corners of the source stay sharp
+  };
+
+  ///@{
+  /// Whether edges and corners of the source stay sharp, as described above. Default SMOOTH.
+  vtkSetMacro(Features, int);
+  vtkGetMacro(Features, int);
+  ///@}
+
+  ///@{
+  /// Whether all polygons of a sharp surface are triangles; a smooth one has no others. Default
+  /// off: the sharp surface has quads, and four triangles where no diagonal of a quad is good.
+  vtkSetMacro(GenerateTriangles, vtkTypeBool);
+  vtkGetMacro(GenerateTriangles, vtkTypeBool);
+  vtkBooleanMacro(GenerateTriangles, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Whether to close the surface where the solid reaches the border of the grid, by faces on the
+  /// outer sides of the voxels, as vtkWindingNumberVoxels does. Default off: all of the surface is
+  /// the level set, and parts that SamplingBounds cut off are missing.
+  vtkSetMacro(CloseBorder, vtkTypeBool);
+  vtkGetMacro(CloseBorder, vtkTypeBool);
+  vtkBooleanMacro(CloseBorder, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Whether to add point normals, which point outward. A vertex has the normal of the source's
+  /// triangle on which it lies, so that edges and details which voxels blur show in the shading. A
+  /// vertex off the source's triangles, and any vertex of a cloud's surface, has the mean of the
+  /// normals of the surface's own triangles around it, weighted by area. A sharp surface gets
+  /// normals of its faces as cell data instead. Default on.
+  vtkSetMacro(GenerateNormals, vtkTypeBool);
+  vtkGetMacro(GenerateNormals, vtkTypeBool);
+  vtkBooleanMacro(GenerateNormals, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// The precision of the points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or
+  /// DEFAULT_PRECISION, which takes double only where single could not separate places to a
+  /// ten-thousandth of a voxel: far from the origin, on very fine grids, and beyond the range of
+  /// single precision. Default DEFAULT_PRECISION.
+  vtkSetMacro(OutputPointsPrecision, int);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  /// The output of port 0.
+  vtkPolyData* GetOutput();
+
+protected:
+  vtkWindingNumberSurfaceAlgorithm() = default;
+  ~vtkWindingNumberSurfaceAlgorithm() override = default;
+
+  vtkWindingNumberSurfaceAlgorithm(const vtkWindingNumberSurfaceAlgorithm&) = delete;
+  void operator=(const vtkWindingNumberSurfaceAlgorithm&) = delete;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void CheckProperties() override;
+  void HashProperties(winding::ContentHash& hash) override;
+  bool WorksOnFirstRank() const override { return true; }
+  bool MayCloseBorder() const override { return !this->CloseBorder; }
+  double GetResultBytes(vtkIdType samples) const override;
+
+  /// Whether a request is for a piece that stays empty: the first has everything.
+  bool IsLaterPiece(vtkInformation* output) const;
+
+  /// Returns the memory of the level surface of a field, and refuses one that does not fit into
+  /// memory together with the grid. Sets `edges` to their number as it is expected.
+  double GetBytesOfSurface(const winding::Field& field, double& edges);
+
+  /// Finds the edges of the grid that the surface of what is inside crosses, as a share of the
+  /// progress. Refuses a surface that does not fit into memory, and warns of sources that look
+  /// inward.
+  void FindEdges(
+    winding::LevelEdges& edges, const winding::Field& field, winding::SmpExecutor& executor);
+
+  /// Warns of a grid all of whose samples are inside, and returns whether it is one.
+  bool TellAllInside(const winding::LevelEdges& edges);
+
+  /// Finds where the surface of what is inside crosses these edges, with all the normals that the
+  /// surface needs, as the rest of the progress.
+  winding::EdgeRoots FindRoots(const winding::Field& field, const winding::LevelEdges& edges,
+    winding::SmpExecutor& executor) const;
+
+  /// Makes the surface that crosses these edges, smooth or sharp. `findRoots` finds where it does.
+  /// `operands` are numbers of the edges, which polygons take over as cell array "Operand"; null
+  /// for none.
+  void MakePolyData(const winding::LevelEdges& edges,
+    const std::function<const winding::EdgeRoots&()>& findRoots,
+    const std::vector<std::uint32_t>* operands, winding::SmpExecutor& executor,
+    vtkPolyData* output) const;
+
+  int Features = SMOOTH;
+  vtkTypeBool GenerateTriangles = 0;
+  vtkTypeBool CloseBorder = 0;
+  vtkTypeBool GenerateNormals = 1;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+
+private:
+  bool NeedsDoublePoints() const;
+};
+
+#endif
