@@ -113,8 +113,8 @@ vtkWindingNumberAlgorithm::vtkWindingNumberAlgorithm()
   : Frame(std::make_unique<winding::ImageFrame>())
   , Controller(vtkMultiProcessController::GetGlobalController())
   , Ranks(std::make_unique<winding::Ranks>(nullptr))
-  , Source(std::make_unique<winding::SourceField>())
 {
+  this->ChooseSource(0, "");
   this->SetAreaArray("Area");
 }
 
@@ -358,6 +358,21 @@ const winding::Field& vtkWindingNumberAlgorithm::FieldOf(
     source, this->GetSourceOptions(), executor, *this->Ranks, this->WorksOnFirstRank());
 }
 
+void vtkWindingNumberAlgorithm::ChooseSource(std::size_t number, const std::string& name)
+{
+  while (this->Sources.size() <= number)
+  {
+    this->Sources.push_back(std::make_unique<winding::SourceField>());
+  }
+  this->Source = this->Sources[number].get();
+  this->SourceName = name;
+}
+
+std::string vtkWindingNumberAlgorithm::GetSourcePrefix() const
+{
+  return this->SourceName.empty() ? "" : "'" + this->SourceName + "': ";
+}
+
 void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
 {
   std::vector<winding::Message> warnings = info.warnings;
@@ -369,11 +384,12 @@ void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
   }
   if (!warnings.empty())
   {
-    vtkWarningMacro(<< winding::lineOf(warnings));
+    vtkWarningMacro(<< this->GetSourcePrefix() << winding::lineOf(warnings));
   }
   if (info.primitives == 0)
   {
-    vtkWarningMacro(<< "the source is empty, so its field is 0: give a surface or points");
+    vtkWarningMacro(<< this->GetSourcePrefix()
+                    << "the source is empty, so its field is 0: give a surface or points");
   }
 }
 
@@ -477,7 +493,7 @@ void vtkWindingNumberAlgorithm::CheckExpectedTime(const winding::Field& field)
     advice.remedies.push_back(winding::moreTime(this->LongestExpectedTime));
     throw winding::Refusal(advice);
   }
-  vtkWarningMacro(<< winding::lineOf(advice));
+  vtkWarningMacro(<< this->GetSourcePrefix() << winding::lineOf(advice));
 }
 
 double vtkWindingNumberAlgorithm::GetDistanceLimit() const
@@ -537,7 +553,7 @@ void vtkWindingNumberAlgorithm::TellSides(
   this->SourceIsInsideOut = facing.looksInward ? facing.isInsideOut : this->SourceIsInsideOut;
   if (facing.warning)
   {
-    vtkWarningMacro(<< winding::lineOf(*facing.warning));
+    vtkWarningMacro(<< this->GetSourcePrefix() << winding::lineOf(*facing.warning));
   }
 }
 

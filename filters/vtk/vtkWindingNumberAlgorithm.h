@@ -502,9 +502,17 @@ protected:
   const winding::Field& PrepareField(
     vtkDataObject* source, const Samples& samples, std::size_t ownSamples);
 
+  /// Chooses the source that all calls from now on are about, by a number, and its name for
+  /// warnings, "" for none. Each source keeps a field of its own. Filters with one source need not
+  /// choose.
+  void ChooseSource(std::size_t number, const std::string& name);
+
   /// Returns the field of a source, which is kept as long as the source and the options that it
   /// depends on stay the same. Collective.
   const winding::Field& FieldOf(vtkDataObject* source, winding::Executor& executor);
+
+  /// Returns the beginning of a warning about the source that was chosen: its name, if it has one.
+  std::string GetSourcePrefix() const;
 
   /// Warns about faults of a source whose field was prepared.
   virtual void TellFaults(const winding::FieldInfo& info);
@@ -546,7 +554,7 @@ protected:
   void AskForSource(vtkInformation* source) const;
 
   /// The bounds of a source's usable primitives; false if it has none. Collective.
-  bool GetSourceBounds(vtkDataObject* source, double bounds[6]);
+  virtual bool GetSourceBounds(vtkDataObject* source, double bounds[6]);
 
   /// Adds field data that says how an output came about.
   void DescribeMethod(vtkDataObject* output) const;
@@ -625,7 +633,9 @@ private:
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   std::unique_ptr<winding::Ranks> Ranks;
-  std::unique_ptr<winding::SourceField> Source;
+  std::vector<std::unique_ptr<winding::SourceField>> Sources;
+  winding::SourceField* Source = nullptr; ///< the one that was chosen
+  std::string SourceName;                 ///< of the source that was chosen
   bool LongTimeIsTold = false;
   std::size_t SamplesOfResult = 0;  ///< of this rank's share of the whole result
   int InformationStatus = DONE;     ///< how the last request for information ended

@@ -5,6 +5,7 @@
 #include "field/Field.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
+#include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
@@ -21,6 +22,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -69,9 +71,12 @@ int vtkWindingNumberGridAlgorithm::FillInputPortInformation(int, vtkInformation*
 int vtkWindingNumberGridAlgorithm::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
+  for (int port = 0; port < this->GetNumberOfSourcePorts(); ++port)
   {
-    this->AskForSource(inputs[0]->GetInformationObject(i));
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      this->AskForSource(inputs[port]->GetInformationObject(i));
+    }
   }
   return 1;
 }
@@ -119,11 +124,24 @@ vtkDataObject* vtkWindingNumberGridAlgorithm::GetSource()
   return this->GetInputDataObject(0, 0);
 }
 
+std::vector<vtkAlgorithmOutput*> vtkWindingNumberGridAlgorithm::GetSourceConnections()
+{
+  std::vector<vtkAlgorithmOutput*> connections;
+  for (int port = 0; port < this->GetNumberOfSourcePorts(); ++port)
+  {
+    for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
+    {
+      connections.push_back(this->GetInputConnection(port, i));
+    }
+  }
+  return connections;
+}
+
 void vtkWindingNumberGridAlgorithm::UpdateSource(vtkInformation* outInfo)
 {
-  for (int i = 0; i < this->GetNumberOfInputConnections(0); ++i)
+  for (vtkAlgorithmOutput* connection : this->GetSourceConnections())
   {
-    this->UpdateConnection(this->GetInputConnection(0, i), outInfo);
+    this->UpdateConnection(connection, outInfo);
   }
 }
 
@@ -159,9 +177,8 @@ void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes(vtkInformation* outIn
   winding::ContentHash hash;
   std::set<double> steps;
   vtkInformation* moving = nullptr; // the first source that has times
-  for (int i = 0; i < this->GetNumberOfInputConnections(0); ++i)
+  for (vtkAlgorithmOutput* connection : this->GetSourceConnections())
   {
-    vtkAlgorithmOutput* connection = this->GetInputConnection(0, i);
     vtkAlgorithm* producer = connection->GetProducer();
     producer->UpdateInformation();
     vtkInformation* produced = producer->GetOutputInformation(connection->GetIndex());
@@ -314,7 +331,7 @@ void vtkWindingNumberGridAlgorithm::WarnOfGrid(const winding::Field& field, bool
     const auto advice = winding::gridAdvice(grid, field.info().bounds, result);
     if (advice)
     {
-      vtkWarningMacro(<< winding::lineOf(*advice));
+      vtkWarningMacro(<< this->GetSourcePrefix() << winding::lineOf(*advice));
     }
   }
 }
@@ -352,6 +369,44 @@ void vtkWindingNumberGridAlgorithm::Verify(const winding::Field& field,
     this->SetVerification(winding::verify(field, *this->Sampling, samples, valueOf,
       static_cast<std::size_t>(this->VerifySamples), seed, executor));
   }
+}
+
+void vtkWindingNumberGridAlgorithm::VerifyAnother(
+  const winding::Field& field, const winding::Extent& extent)
+{
+  if (this->VerifySamples == 0 || field.info().primitives == 0)
+  {
+    return;
+  }
+  const double maxError = this->MaxError, nearMaxError = this->NearMaxError;
+  const double besideMaxError = this->MaxErrorBesidePoints;
+  const double squares = std::pow(this->RMSError, 2) * this->NumberOfVerifiedSamples;
+  const vtkIdType verified = this->NumberOfVerifiedSamples;
+  const vtkIdType near = this->NumberOfNearVerifiedSamples;
+  const vtkIdType onSurface = this->NumberOfSamplesOnSurface;
+  const vtkIdType besidePoints = this->NumberOfSamplesBesidePoints;
+
+  const std::size_t samples = winding::sampleCount(extent);
+  winding::refuseBeyondFreeMemory(static_cast<double>(samples * sizeof(float)),
+    "the verification of " + std::to_string(samples) + " voxels",
+    {{"verify fewer voxels at a time", {winding::Parameter::pieces}}});
+  std::vector<float> values(samples);
+  winding::FieldOutput output;
+  output.values = values.data();
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(1, 1);
+  field.evaluate(this->GetSampling(), extent, output, executor);
+  this->Verify(field, extent, [&values](std::size_t n) { return values[n]; });
+
+  const double more = std::pow(this->RMSError, 2) * this->NumberOfVerifiedSamples;
+  this->MaxError = std::max(maxError, this->MaxError);
+  this->NearMaxError = std::max(nearMaxError, this->NearMaxError);
+  this->MaxErrorBesidePoints = std::max(besideMaxError, this->MaxErrorBesidePoints);
+  this->NumberOfVerifiedSamples += verified;
+  this->NumberOfNearVerifiedSamples += near;
+  this->NumberOfSamplesOnSurface += onSurface;
+  this->NumberOfSamplesBesidePoints += besidePoints;
+  this->RMSError = std::sqrt((squares + more) / std::max<double>(1, this->NumberOfVerifiedSamples));
 }
 
 void vtkWindingNumberGridAlgorithm::SetVerification(const winding::Verification& found)

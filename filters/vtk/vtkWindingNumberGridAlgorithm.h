@@ -147,6 +147,13 @@ protected:
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
 
+  /// The number of input ports that sources come from, counted from 0: one, unless a filter says
+  /// otherwise.
+  virtual int GetNumberOfSourcePorts() const { return 1; }
+
+  /// Returns the connections of these ports, in their order.
+  std::vector<vtkAlgorithmOutput*> GetSourceConnections();
+
   /// Returns the source as the inputs hold it now, which may be null.
   virtual vtkDataObject* GetSource();
 
@@ -195,6 +202,10 @@ protected:
   void Verify(const winding::Field& field, const std::array<int, 6>& samples,
     const std::function<double(std::size_t)>& valueOf);
   ///@}
+
+  /// Verifies an extent of the field of one of several sources, if VerifySamples asks for it, and
+  /// adds the findings to those that are set. Computes the values for it.
+  void VerifyAnother(const winding::Field& field, const std::array<int, 6>& samples);
 
   /// Takes over the findings of a verification; a default object stands for none.
   void SetVerification(const winding::Verification& found);

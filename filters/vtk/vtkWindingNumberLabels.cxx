@@ -35,7 +35,6 @@
 #include "vtkUnsignedShortArray.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -319,40 +318,6 @@ void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const winding::Ext
   this->WarnOfSolids(solids);
 }
 
-/// Verifies the values of one more solid, and adds the findings to the earlier solids'.
-void vtkWindingNumberLabels::VerifySolid(const winding::Field& field, const winding::Extent& extent)
-{
-  const double maxError = this->MaxError, nearMaxError = this->NearMaxError;
-  const double besideMaxError = this->MaxErrorBesidePoints;
-  const double squares = std::pow(this->RMSError, 2) * this->NumberOfVerifiedSamples;
-  const vtkIdType verified = this->NumberOfVerifiedSamples;
-  const vtkIdType near = this->NumberOfNearVerifiedSamples;
-  const vtkIdType onSurface = this->NumberOfSamplesOnSurface;
-  const vtkIdType besidePoints = this->NumberOfSamplesBesidePoints;
-
-  const std::size_t samples = winding::sampleCount(extent);
-  winding::refuseBeyondFreeMemory(static_cast<double>(samples * sizeof(float)),
-    "the verification of " + std::to_string(samples) + " voxels",
-    {{"verify fewer voxels at a time", {winding::Parameter::pieces}}});
-  std::vector<float> values(samples);
-  winding::FieldOutput output;
-  output.values = values.data();
-  winding::SmpExecutor executor(this, this->NumberOfThreads);
-  executor.setShare(1, 1);
-  field.evaluate(this->GetSampling(), extent, output, executor);
-  this->Verify(field, extent, [&values](std::size_t n) { return values[n]; });
-
-  const double more = std::pow(this->RMSError, 2) * this->NumberOfVerifiedSamples;
-  this->MaxError = std::max(maxError, this->MaxError);
-  this->NearMaxError = std::max(nearMaxError, this->NearMaxError);
-  this->MaxErrorBesidePoints = std::max(besideMaxError, this->MaxErrorBesidePoints);
-  this->NumberOfVerifiedSamples += verified;
-  this->NumberOfNearVerifiedSamples += near;
-  this->NumberOfSamplesOnSurface += onSurface;
-  this->NumberOfSamplesBesidePoints += besidePoints;
-  this->RMSError = std::sqrt((squares + more) / std::max<double>(1, this->NumberOfVerifiedSamples));
-}
-
 void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding::LabelImage& labels)
 {
   const winding::Grid& grid = this->GetSampling();
@@ -405,10 +370,7 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
       });
     this->EarlierSeconds = this->TakenSeconds;
     evaluateSeconds += this->EvaluateSeconds;
-    if (this->VerifySamples > 0 && field.info().primitives > 0)
-    {
-      this->VerifySolid(field, extent);
-    }
+    this->VerifyAnother(field, extent);
   }
   if (isWhole)
   {

@@ -203,7 +203,6 @@ private:
   winding::SolidEvaluationOptions GetEvaluationOptions() const;
   const winding::Field& PrepareSolid(const winding::Solids& solids, std::size_t number);
   void MergeSolids(const winding::Solids& solids, winding::LabelImage& labels);
-  void VerifySolid(const winding::Field& field, const std::array<int, 6>& extent);
   void LookForThinParts(
     const winding::Field& field, const winding::LabelImage& labels, const std::string& name);
   bool CountInward(const winding::Field& field, const winding::SideCounts& sides, bool hasInside,

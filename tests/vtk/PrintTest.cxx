@@ -3,6 +3,7 @@
 #include "vtkPointAreas.h"
 #include "vtkSourceReader.h"
 #include "vtkSurfaceReport.h"
+#include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberLabels.h"
@@ -48,6 +49,8 @@ TEST(Print, HasThePropertiesOfEveryClass)
   expectPrinted<vtkWindingNumberSurface>(
     {"Resolution: 64", "CloseBorder: 0", "GenerateNormals:", "Features: 0", "GenerateTriangles: 0",
       "FidelitySamples: 0", "GenerateDistanceToInput: 0", "FidelityInWords: "});
+  expectPrinted<vtkWindingNumberBoolean>(ofSources);
+  expectPrinted<vtkWindingNumberBoolean>({"Operation: 0", "Features: 0", "CloseBorder: 0"});
   expectPrinted<vtkWindingNumberLabels>(ofSources);
   expectPrinted<vtkWindingNumberLabels>({"Resolution: 64", "Coverage: 0", "OutputAssociation: 0",
     "OverlapRule: 0", "GenerateSolidCount: 0", "CoverageArrays: 0",

@@ -10,6 +10,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
+#include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberClip.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberHyperTree.h"
@@ -230,6 +231,21 @@ TEST_F(PropertyRanges, OfTheSurface)
   EXPECT_REFUSED(filter, Features, choices("SMOOTH (0) or SHARP (1)", 2));
   EXPECT_REFUSED(filter, FidelitySamples, negative);
   expectWorking(surface);
+}
+
+TEST_F(PropertyRanges, OfTheBoolean)
+{
+  vtkNew<vtkWindingNumberBoolean> boolean;
+  boolean->SetInputConnection(0, sphere->GetOutputPort());
+  boolean->SetInputConnection(1, sphere->GetOutputPort());
+  boolean->SetResolution(6);
+  vtkWindingNumberBoolean* filter = boolean;
+  expectCommonPropertiesRefused(filter);
+  expectPropertiesOfGridsRefused(filter);
+  EXPECT_REFUSED(filter, Operation,
+    choices("UNION (0), INTERSECTION (1), DIFFERENCE (2) or SYMMETRIC_DIFFERENCE (3)", 4));
+  EXPECT_REFUSED(filter, Features, choices("SMOOTH (0) or SHARP (1)", 2));
+  expectWorking(boolean);
 }
 
 TEST_F(PropertyRanges, OfTheProbe)

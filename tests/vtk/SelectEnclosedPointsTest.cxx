@@ -206,8 +206,7 @@ TEST(SelectedPoints, AreTheActiveScalarsDownstream)
   {
     ErrorLog log(select);
     select->Update();
-    EXPECT_NE(log.errors().find("are named 'SignedDistance'"), std::string::npos)
-      << log.errors();
+    EXPECT_NE(log.errors().find("are named 'SignedDistance'"), std::string::npos) << log.errors();
     select->RemoveAllObservers();
   }
   select->GenerateSignedDistanceOff();

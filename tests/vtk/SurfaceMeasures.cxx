@@ -86,7 +86,7 @@ vtkIdType countDuplicatePoints(vtkPolyData* surface)
   return surface->GetNumberOfPoints() - static_cast<vtkIdType>(different.size());
 }
 
-double voxelOf(vtkWindingNumberSurface* filter)
+double voxelOf(vtkWindingNumberGridAlgorithm* filter)
 {
   int dimensions[3];
   double first[3], spacing[3];

@@ -6,6 +6,7 @@
 
 class vtkDataObject;
 class vtkPolyData;
+class vtkWindingNumberGridAlgorithm;
 class vtkWindingNumberSurface;
 
 /// @file Measures of smooth surfaces, for tests.
@@ -23,7 +24,7 @@ double signedVolume(vtkPolyData* surface);
 vtkIdType countDuplicatePoints(vtkPolyData* surface);
 
 /// The longest side of a voxel.
-double voxelOf(vtkWindingNumberSurface* filter);
+double voxelOf(vtkWindingNumberGridAlgorithm* filter);
 
 /// The distances of the surface's points from the mesh, in voxels, ascending.
 std::vector<double> distances(vtkPolyData* surface, vtkPolyData* mesh, double voxel);

@@ -1,0 +1,383 @@
+#include "vtkWindingNumberBoolean.h"
+
+#include "base/BooleanOperation.h"
+#include "base/Bounds.h"
+#include "base/Refusal.h"
+#include "field/Field.h"
+#include "level/CombinedRoots.h"
+#include "messages/Options.h"
+#include "messages/PropertyChecks.h"
+#include "private/pipeline/Ranks.h"
+#include "private/pipeline/SmpExecutor.h"
+#include "private/source/ContentHash.h"
+#include "private/source/SourceProperties.h"
+#include "report/GridAdvice.h"
+#include "report/InputUnits.h"
+#include "report/LabelFacts.h"
+#include "report/Verify.h"
+#include "source/Grid.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <utility>
+
+namespace
+{
+
+template <class Private> constexpr bool isNumber(Private choice, int number)
+{
+  return static_cast<int>(choice) == number;
+}
+
+// The property becomes the core's choice by its number.
+using Filter = vtkWindingNumberBoolean;
+static_assert(isNumber(winding::BooleanOperation::unite, Filter::UNION));
+static_assert(isNumber(winding::BooleanOperation::intersect, Filter::INTERSECTION));
+static_assert(isNumber(winding::BooleanOperation::subtract, Filter::DIFFERENCE));
+static_assert(isNumber(winding::BooleanOperation::exclude, Filter::SYMMETRIC_DIFFERENCE));
+
+/// Sets a variable until the end of a block.
+template <class Value> class Temporarily
+{
+public:
+  Temporarily(Value& variable, Value value)
+    : variable_(variable)
+    , before_(std::exchange(variable, value))
+  {
+  }
+  ~Temporarily() { variable_ = before_; }
+  Temporarily(const Temporarily&) = delete;
+  Temporarily& operator=(const Temporarily&) = delete;
+
+private:
+  Value& variable_;
+  Value before_;
+};
+
+} // namespace
+
+/// The part of the surface that an operand could give.
+class vtkWindingNumberBoolean::Operand
+{
+public:
+  std::unique_ptr<winding::LevelEdges> edges; ///< null on ranks that only take part
+  winding::EdgeRoots roots = winding::EdgeRoots(0);
+};
+
+vtkStandardNewMacro(vtkWindingNumberBoolean);
+
+vtkWindingNumberBoolean::vtkWindingNumberBoolean()
+  : Facts(std::make_unique<winding::LabelFacts>())
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkWindingNumberBoolean::~vtkWindingNumberBoolean() = default;
+
+int vtkWindingNumberBoolean::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+/// Returns the choices for an operand, to be changed.
+vtkWindingNumberBoolean::OperandChoice& vtkWindingNumberBoolean::ChoiceOf(int operand)
+{
+  this->Modified();
+  return this->Choices[operand];
+}
+
+void vtkWindingNumberBoolean::SetOperandThreshold(int operand, double threshold)
+{
+  OperandChoice& choice = this->ChoiceOf(operand);
+  choice.hasThreshold = true;
+  choice.threshold = threshold;
+}
+
+double vtkWindingNumberBoolean::GetOperandThreshold(int operand) const
+{
+  const auto found = this->Choices.find(operand);
+  return found != this->Choices.end() && found->second.hasThreshold ? found->second.threshold
+                                                                    : this->WindingThreshold;
+}
+
+void vtkWindingNumberBoolean::SetOperandInsideRule(int operand, int rule)
+{
+  OperandChoice& choice = this->ChoiceOf(operand);
+  choice.hasRule = true;
+  choice.rule = rule;
+}
+
+int vtkWindingNumberBoolean::GetOperandInsideRule(int operand) const
+{
+  const auto found = this->Choices.find(operand);
+  return found != this->Choices.end() && found->second.hasRule ? found->second.rule
+                                                               : this->InsideRule;
+}
+
+void vtkWindingNumberBoolean::SetOperandName(int operand, const char* name)
+{
+  this->ChoiceOf(operand).name = winding::textOf(name);
+}
+
+const char* vtkWindingNumberBoolean::GetOperandName(int operand) const
+{
+  const auto found = this->Choices.find(operand);
+  return found == this->Choices.end() ? "" : found->second.name.c_str();
+}
+
+void vtkWindingNumberBoolean::ClearOperands()
+{
+  this->Choices.clear();
+  this->Modified();
+}
+
+void vtkWindingNumberBoolean::CheckProperties()
+{
+  this->Superclass::CheckProperties();
+  winding::checkProperty(winding::Parameter::booleanOperation, this->Operation);
+  for (const auto& [operand, choice] : this->Choices)
+  {
+    winding::checkProperty(
+      winding::Parameter::windingThreshold, this->GetOperandThreshold(operand));
+    winding::coreInsideRule(this->GetOperandInsideRule(operand));
+  }
+}
+
+void vtkWindingNumberBoolean::HashProperties(winding::ContentHash& hash)
+{
+  this->Superclass::HashProperties(hash);
+  hash.addValue(this->Operation);
+  for (const auto& [operand, choice] : this->Choices)
+  {
+    hash.addValue(operand);
+    hash.addText(choice.name);
+    hash.addValue(this->GetOperandThreshold(operand));
+    hash.addValue(this->GetOperandInsideRule(operand));
+  }
+}
+
+const winding::FieldInfo& vtkWindingNumberBoolean::GetSourceInfo() const
+{
+  return this->Facts->source;
+}
+
+/// Returns the operands as blocks with names.
+vtkDataObject* vtkWindingNumberBoolean::GetSource()
+{
+  std::vector<std::pair<vtkDataObject*, std::string>> sources;
+  for (int port = 0; port < this->GetNumberOfSourcePorts(); ++port)
+  {
+    for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
+    {
+      sources.emplace_back(this->GetInputDataObject(port, i), "");
+    }
+  }
+  auto* blocks =
+    sources.size() == 1 ? vtkMultiBlockDataSet::SafeDownCast(sources.front().first) : nullptr;
+  if (blocks)
+  {
+    sources.clear();
+    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+    {
+      const bool isNamed =
+        blocks->HasMetaData(i) && blocks->GetMetaData(i)->Has(vtkCompositeDataSet::NAME());
+      sources.emplace_back(blocks->GetBlock(i),
+        isNamed ? winding::textOf(blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME())) : "");
+    }
+  }
+  this->Blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (std::size_t i = 0; i < sources.size(); ++i)
+  {
+    const auto block = static_cast<unsigned int>(i);
+    std::string name = this->GetOperandName(static_cast<int>(i));
+    name = name.empty() ? sources[i].second : name;
+    name = name.empty() ? "Input " + std::to_string(i + 1) : name;
+    this->Blocks->SetBlock(block, sources[i].first);
+    this->Blocks->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+  }
+  return this->Blocks;
+}
+
+/// Finds the bounds of what the result can reach.
+bool vtkWindingNumberBoolean::GetSourceBounds(vtkDataObject* source, double bounds[6])
+{
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(source);
+  winding::Bounds first, all, common;
+  for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+  {
+    this->ChooseSource(i, "");
+    double own[6];
+    winding::Bounds box;
+    if (this->Superclass::GetSourceBounds(blocks->GetBlock(i), own))
+    {
+      box.extend(Eigen::Vector3d(own[0], own[2], own[4]));
+      box.extend(Eigen::Vector3d(own[1], own[3], own[5]));
+    }
+    first = i == 0 ? box : first;
+    common = i == 0 ? box : common.intersection(box);
+    all.extend(box);
+  }
+  if (this->Operation == DIFFERENCE && !first.isEmpty())
+  {
+    all = first;
+  }
+  else if (this->Operation == INTERSECTION && !common.isEmpty())
+  {
+    all = common;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds[2 * axis] = all.min()[axis];
+    bounds[2 * axis + 1] = all.max()[axis];
+  }
+  return !all.isEmpty();
+}
+
+std::size_t vtkWindingNumberBoolean::GetAdditionalBytes(const winding::Field& field, vtkIdType)
+{
+  double edges = 0;
+  return static_cast<std::size_t>(this->GetBytesOfSurface(field, edges) + this->KeptBytes);
+}
+
+int vtkWindingNumberBoolean::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* outInfo = outputs->GetInformationObject(0);
+  vtkPolyData* output = vtkPolyData::GetData(outInfo);
+  if (this->IsLaterPiece(outInfo))
+  {
+    return 1;
+  }
+  this->AgreeOnProperties();
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(this->GetSource());
+  const unsigned int count = blocks->GetNumberOfBlocks();
+  if (count < 2)
+  {
+    throw winding::Refusal(winding::Message(
+      "there are fewer than two solids", {{"give another input, or several blocks", {}}}));
+  }
+  this->LayOutGrid(blocks);
+  if (!this->CloseBorder)
+  {
+    winding::refuseFlatGrid(this->GetSampling());
+  }
+  this->CheckVerification(true);
+  this->SetVerification(winding::Verification());
+  *this->Facts = winding::LabelFacts();
+  this->Facts->expected = count;
+  this->KeptBytes = 0;
+  this->EarlierSeconds = 0;
+  double prepareSeconds = 0, evaluateSeconds = 0;
+  std::vector<Operand> operands;
+  vtkNew<vtkStringArray> names;
+  names->SetName("OperandNames");
+  // The loop is collective: each operand is built of the parts of all ranks, in the same order.
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    const std::string name = blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME());
+    const int number = static_cast<int>(i);
+    const Temporarily<double> threshold(this->WindingThreshold, this->GetOperandThreshold(number));
+    const Temporarily<int> rule(this->InsideRule, this->GetOperandInsideRule(number));
+    this->ChooseSource(i, name);
+    this->SetProgressShiftScale(static_cast<double>(i) / (count + 1), 1.0 / (count + 1));
+    operands.push_back(this->MakeOperand(blocks->GetBlock(i)));
+    this->Facts->add(this->Superclass::GetSourceInfo(), name, false);
+    prepareSeconds += this->PrepareSeconds;
+    evaluateSeconds += this->EvaluateSeconds;
+    names->InsertNextValue(name);
+  }
+  this->PrepareSeconds = prepareSeconds;
+  this->EvaluateSeconds = evaluateSeconds;
+  this->EarlierSeconds = 0;
+  this->ChooseSource(0, "");
+  this->LookAtSource(blocks);
+  if (this->IsHelper())
+  {
+    return 1;
+  }
+  this->SetProgressShiftScale(static_cast<double>(count) / (count + 1), 1.0 / (count + 1));
+  this->MakeResult(operands, output);
+  output->GetFieldData()->AddArray(names);
+  this->DescribeMethod(output);
+  return 1;
+}
+
+/// Finds the edges of the grid that the surface of an operand crosses, and where.
+vtkWindingNumberBoolean::Operand vtkWindingNumberBoolean::MakeOperand(vtkDataObject* source)
+{
+  Operand operand;
+  const winding::Field& field = this->PrepareGridField(source);
+  if (this->IsHelper())
+  {
+    return operand;
+  }
+  const winding::Grid& grid = this->GetSampling();
+  const auto samples = static_cast<vtkIdType>(winding::sampleCount(grid.wholeExtent()));
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  this->Evaluate(field, samples, executor,
+    [&]
+    {
+      operand.edges = std::make_unique<winding::LevelEdges>(field, grid,
+        winding::coreInsideRule(this->InsideRule), this->WindingThreshold, this->CloseBorder != 0);
+      this->FindEdges(*operand.edges, field, executor);
+      operand.roots = this->FindRoots(field, *operand.edges, executor);
+    });
+  this->EarlierSeconds = this->TakenSeconds;
+  this->VerifyAnother(field, grid.wholeExtent());
+  constexpr double bytesPerEdge =
+    sizeof(winding::GridEdge) + 2 * sizeof(float) + sizeof(double) + sizeof(Eigen::Vector3f);
+  this->KeptBytes += winding::LevelEdges::bytesOfRows(grid) +
+                     bytesPerEdge * static_cast<double>(operand.edges->size());
+  return operand;
+}
+
+void vtkWindingNumberBoolean::MakeResult(const std::vector<Operand>& operands, vtkPolyData* output)
+{
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(0, 1);
+  const auto operation = static_cast<winding::BooleanOperation>(this->Operation);
+  std::vector<const winding::LevelEdges*> edges;
+  std::vector<winding::LevelOperand> parts;
+  for (const Operand& operand : operands)
+  {
+    edges.push_back(operand.edges.get());
+    parts.push_back({operand.edges.get(), &operand.roots});
+  }
+  const winding::LevelEdges result(edges, operation, this->GetSampling(), executor);
+  const winding::CombinedRoots combined(result, parts, operation, executor);
+  this->MakePolyData(
+    result, [&]() -> const winding::EdgeRoots& { return combined.roots; }, &combined.operands,
+    executor, output);
+  const auto units = winding::unitAdvice(this->Facts->bounds);
+  // Blocks of one data set have one unit.
+  if (units && this->GetSourceConnections().size() > 1)
+  {
+    vtkWarningMacro(<< winding::lineOf(*units));
+  }
+  if (!this->TellAllInside(result) && result.size() == 0)
+  {
+    vtkWarningMacro(<< winding::lineOf(winding::emptyResultAdvice()));
+  }
+  this->UpdateProgress(1);
+}
+
+void vtkWindingNumberBoolean::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Operation: " << this->Operation << "\n";
+  os << indent << "Choices: " << this->Choices.size() << "\n";
+}
