@@ -77,9 +77,10 @@ void adaptToRanks(Options& options)
     return;
   }
   requireUsage(options.command == "field" || options.command == "labels" ||
-                 options.command == "probe" || options.command == "surface",
+                 options.command == "probe" || options.command == "surface" ||
+                 options.command == "boolean",
     "start it without mpirun: " + options.command +
-      " works on one rank; field, labels, probe and surface work on several");
+      " works on one rank; field, surface, boolean, labels and probe work on several");
   requireUsage(options.pieces == 1 || suffixOf(options.output) == ".pvti",
     "give the output the suffix .pvti, or leave --pieces out: several ranks gather the field for a "
     ".vti file");
@@ -92,8 +93,8 @@ void adaptToRanks(Options& options)
 void run(Options options)
 {
   const std::map<std::string, void (*)(const Options&, Messages&)> commands = {{"field", runField},
-    {"surface", runSurface}, {"voxels", runVoxels}, {"labels", runLabels}, {"probe", runProbe},
-    {"normals", runNormals}, {"check", runCheck}, {"bench", runBench}};
+    {"surface", runSurface}, {"boolean", runBoolean}, {"voxels", runVoxels}, {"labels", runLabels},
+    {"probe", runProbe}, {"normals", runNormals}, {"check", runCheck}, {"bench", runBench}};
   Messages& messages = Messages::install(options.quiet || !parallel::isFirst());
   vtkWindingNumberAlgorithm::SetNamesInMessages(vtkWindingNumberAlgorithm::PROGRAM_NAMES);
   limitThreads(options.threads);

@@ -141,6 +141,7 @@ def main(folder):
         "closed.obj": obj(points, triangles),
         "organ.obj": obj(points, triangles),
         "scan.obj": obj(*scan(points, triangles)),
+        "tool.obj": obj([(x + 0.9, y, z) for x, y, z in points], triangles),
         "soup.obj": obj(*soup(points, triangles)),
         "turned.obj": obj(points, turned),
         "part.obj": obj(*part()),

@@ -10,6 +10,7 @@ struct Options;
  */
 void runField(const Options& options, Messages& messages);
 void runSurface(const Options& options, Messages& messages);
+void runBoolean(const Options& options, Messages& messages);
 void runVoxels(const Options& options, Messages& messages);
 void runLabels(const Options& options, Messages& messages);
 void runProbe(const Options& options, Messages& messages);

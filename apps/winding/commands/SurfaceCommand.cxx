@@ -9,24 +9,52 @@
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberSurface.h"
 
-void runSurface(const Options& given, Messages& messages)
+namespace
+{
+
+/// Makes and writes the surface of a filter that has all options of its own.
+void writeSurface(
+  vtkWindingNumberSurfaceAlgorithm& filter, const Options& given, Messages& messages)
 {
   Options options = given;
-  options.cells = false; // the filter draws its surface between samples that are points
+  options.cells = false; // filters draw surfaces between samples that are points
   const auto output = openOnFirstRank(options);
-  vtkNew<vtkWindingNumberSurface> filter;
-  filter->SetOutputPointsPrecision(
+  filter.SetOutputPointsPrecision(
     options.asDouble ? vtkAlgorithm::DOUBLE_PRECISION : vtkAlgorithm::DEFAULT_PRECISION);
-  filter->SetFeatures(options.features);
+  filter.SetFeatures(options.features);
   // The format has triangles only.
-  filter->SetGenerateTriangles(options.triangles || suffixOf(options.output) == ".stl");
+  filter.SetGenerateTriangles(options.triangles || suffixOf(options.output) == ".stl");
+  filter.SetCloseBorder(options.closeBorder);
+  FieldRun run(filter, options, messages);
+  run.update();
+  writeResult(run, filter.GetOutput(), output.get());
+  run.printReport();
+}
+
+} // namespace
+
+void runSurface(const Options& options, Messages& messages)
+{
+  vtkNew<vtkWindingNumberSurface> filter;
   filter->SetGenerateDistanceToInput(options.distance);
   filter->SetFidelitySamples(options.fidelity);
-  filter->SetCloseBorder(options.closeBorder);
-  FieldRun run(*filter, options, messages);
-  run.update();
-  writeResult(run, filter->GetOutput(), output.get());
-  run.printReport();
+  writeSurface(*filter, options, messages);
+}
+
+void runBoolean(const Options& options, Messages& messages)
+{
+  vtkNew<vtkWindingNumberBoolean> filter;
+  filter->SetOperation(options.operation);
+  for (std::size_t i = 0; i < options.thresholds.size(); ++i)
+  {
+    filter->SetOperandThreshold(static_cast<int>(i), options.thresholds[i]);
+  }
+  for (std::size_t i = 0; i < options.rules.size(); ++i)
+  {
+    filter->SetOperandInsideRule(static_cast<int>(i), options.rules[i]);
+  }
+  writeSurface(*filter, options, messages);
 }

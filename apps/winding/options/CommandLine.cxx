@@ -7,6 +7,7 @@
 #include "program/ParallelRun.h"
 
 #include "vtkPointAreas.h"
+#include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberLabels.h"
 
 #include <algorithm>
@@ -73,6 +74,7 @@ void addSurface(CLI::App& app, Options& options)
   addOutput(surface, options, surfaceFormats);
   addThreshold(surface, options);
   addFeatures(surface, options);
+  addComparison(surface, options);
   surface
     ->add_flag("--close-border", options.closeBorder,
       "Close the surface where it reaches the border of the grid")
@@ -83,6 +85,51 @@ void addSurface(CLI::App& app, Options& options)
   addThreads(surface, options);
   addLongestTime(surface, options);
   addReporting(surface, options);
+}
+
+void addBoolean(CLI::App& app, Options& options)
+{
+  CLI::App* boolean =
+    addCommand(app, options, "boolean", "Union, intersection or difference of solids");
+  addOutput(boolean, options, surfaceFormats);
+  boolean
+    ->add_option("--operation", options.operation,
+      "What to keep: union | intersection | difference, the first without the others | xor, what "
+      "an odd number of them have (union)")
+    ->transform(oneOf({{"union", vtkWindingNumberBoolean::UNION},
+      {"intersection", vtkWindingNumberBoolean::INTERSECTION},
+      {"difference", vtkWindingNumberBoolean::DIFFERENCE},
+      {"xor", vtkWindingNumberBoolean::SYMMETRIC_DIFFERENCE}}))
+    ->type_name("NAME");
+  addThreshold(boolean, options);
+  boolean
+    ->add_option("--thresholds", options.thresholds,
+      "The threshold of each input, separated by commas, in place of one for all")
+    ->delimiter(',')
+    ->type_name("T,...")
+    ->excludes("--threshold");
+  boolean
+    ->add_option("--rules", options.rules,
+      "The rule of each input, separated by commas, in place of one for all")
+    ->delimiter(',')
+    ->transform(rules())
+    ->type_name("NAME,...")
+    ->excludes("--rule");
+  for (const char* option : {"--operation", "--thresholds", "--rules"})
+  {
+    boolean->get_option(option)->group("Output");
+  }
+  addFeatures(boolean, options);
+  boolean
+    ->add_flag("--close-border", options.closeBorder,
+      "Close the surface where it reaches the border of the grid")
+    ->group("Output");
+  boolean->add_flag("--double", options.asDouble, "Numbers in double precision, not float")
+    ->group("Output");
+  addFieldOptions(boolean, options);
+  addThreads(boolean, options);
+  addLongestTime(boolean, options);
+  addReporting(boolean, options);
 }
 
 void addVoxels(CLI::App& app, Options& options)
@@ -291,8 +338,8 @@ std::optional<Options> parseCommandLine(int argc, char** argv)
     "winding");
   app.set_version_flag("--version", WINDING_VERSION);
   app.require_subcommand(1);
-  for (const auto add :
-    {addField, addSurface, addVoxels, addLabels, addProbe, addNormals, addCheck, addBench})
+  for (const auto add : {addField, addSurface, addBoolean, addVoxels, addLabels, addProbe,
+         addNormals, addCheck, addBench})
   {
     add(app, options);
   }

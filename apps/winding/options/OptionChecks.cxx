@@ -240,6 +240,19 @@ void checkLabels(const Options& options, const WasGiven& wasGiven)
     "--pieces is for images; give the output the suffix .vti or .pvti, or leave it out");
 }
 
+void checkBoolean(const Options& options)
+{
+  const std::size_t inputs = options.inputs.size();
+  requireUsage(inputs > 1, "there is one input; give another, too");
+  for (const auto& [option, count] :
+    {std::pair("--thresholds", options.thresholds.size()), {"--rules", options.rules.size()}})
+  {
+    requireUsage(count == 0 || count == inputs,
+      std::string(option) + " has " + std::to_string(count) + " for " + std::to_string(inputs) +
+        " inputs; give as many, or leave it out");
+  }
+}
+
 /// Throws Failure for columns where no file that is read has some.
 void checkColumns(const Options& options)
 {
@@ -318,6 +331,10 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
     checkOutput(options.output, options.command, suffixes);
     checkMedical(options);
     checkFieldOptions(options, wasGiven);
+    if (options.command == "boolean")
+    {
+      checkBoolean(options);
+    }
     if (options.command == "voxels")
     {
       checkCoverage(options, wasGiven);

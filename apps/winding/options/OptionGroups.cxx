@@ -33,7 +33,7 @@ void addGrid(CLI::App* command, Options& options)
   resolution->excludes(voxelSize)->excludes(dimensions);
   voxelSize->excludes(dimensions);
   bounds->excludes(padding);
-  if (command->get_name() != "surface")
+  if (command->get_name() != "surface" && command->get_name() != "boolean")
   {
     command
       ->add_option("--like", options.like,
@@ -109,13 +109,19 @@ CLI::Validator oneOf(const Choices& choices)
   return validator;
 }
 
+CLI::Validator rules()
+{
+  return oneOf({{"signed", Filter::SIGNED}, {"absolute", Filter::ABSOLUTE}, {"odd", Filter::ODD}});
+}
+
 void addInputs(CLI::App* command, Options& options)
 {
-  const bool isLabels = command->get_name() == "labels";
   const std::string several =
-    isLabels ? "a solid each; or one surface, whose solids are the values of --region-array, or "
-               "its parts, as the file names them or by connectivity: "
-             : "all together one source: ";
+    command->get_name() == "boolean" ? "two or more, a solid each: "
+    : command->get_name() == "labels"
+      ? "a solid each; or one surface, whose solids are the values of --region-array, or "
+        "its parts, as the file names them or by connectivity: "
+      : "all together one source: ";
   command
     ->add_option("IN", options.inputs, "Surfaces or oriented points, " + several + inputSuffixes())
     ->required()
@@ -302,8 +308,7 @@ void addThreshold(CLI::App* command, Options& options)
     ->add_option("--rule", options.rule,
       "Inside is where: signed, w >= threshold | absolute, |w| >= threshold | odd, w rounds to an "
       "odd number (signed)")
-    ->transform(
-      oneOf({{"signed", Filter::SIGNED}, {"absolute", Filter::ABSOLUTE}, {"odd", Filter::ODD}}))
+    ->transform(rules())
     ->type_name("NAME")
     ->group("Output");
 }
@@ -321,6 +326,10 @@ void addFeatures(CLI::App* command, Options& options)
     ->add_flag("--triangles", options.triangles,
       "With --features sharp: triangles only; without it, quads (but for .stl)")
     ->group("Output");
+}
+
+void addComparison(CLI::App* command, Options& options)
+{
   command
     ->add_flag("--distance", options.distance,
       "Add the distance of each point from the input, for .vtp: the array DistanceToInput")

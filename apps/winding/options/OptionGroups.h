@@ -20,7 +20,11 @@ using Choices = std::vector<std::pair<std::string, int>>;
 /// Turns a word into its number. (CLI11's own transformer would take numbers too, and say less.)
 CLI::Validator oneOf(const Choices& choices);
 
-/// Adds one or several inputs. They are a solid each for labels, and one source for others.
+/// The words for the inside rules.
+CLI::Validator rules();
+
+/// Adds one or several inputs. They are a solid each for labels and booleans, and one source for
+/// others.
 void addInputs(CLI::App* command, Options& options);
 
 /// Adds inputs that are one source, and behind them the file of queries.
@@ -52,6 +56,9 @@ void addThreshold(CLI::App* command, Options& options);
 
 /// Adds what a surface makes of edges of its source.
 void addFeatures(CLI::App* command, Options& options);
+
+/// Adds how a surface is compared with its source.
+void addComparison(CLI::App* command, Options& options);
 void addCoverage(CLI::App* command, Options& options);
 void addDistance(CLI::App* command, Options& options);
 void addArrayName(CLI::App* command, Options& options);

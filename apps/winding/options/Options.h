@@ -6,7 +6,7 @@
 /// All that the command line can say, with the defaults of what it leaves out.
 struct Options
 {
-  std::string command; ///< field, surface, voxels, labels, probe, normals, check or bench
+  std::string command;             ///< the name of the command, as field or surface
   std::vector<std::string> inputs; ///< the files that are read, one or more, without queries
   std::string input;               ///< names all of them in messages
   std::string queries;
@@ -40,7 +40,7 @@ struct Options
   bool surfaceCells = false;
   bool orientFaces = false;
   bool ignoreOpenParts = false;
-  std::string mirror;    ///< as the filters have it, as are the next two
+  std::string mirror; ///< as the filters have it, as are the next two
   std::string flatBase;
   std::string sheetSide;
   double weldTolerance = 0;
@@ -70,6 +70,12 @@ struct Options
   bool count = false;
   std::string regionArray;
   int labelOffset = 0;
+
+  // The operation on several solids, and what each has in place of threshold and rule: as many as
+  // inputs, or none. Choices have the numbers that the filters give them.
+  int operation = 0;
+  std::vector<double> thresholds;
+  std::vector<int> rules;
 
   // The treatment of a surface by check.
   bool fixOrientation = false;
