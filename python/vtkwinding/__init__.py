@@ -7,6 +7,7 @@ vtkwinding.accessor). The filters of VTK, such as vtkWindingNumberField, are a p
 vtkwinding_native.
 """
 
+from ._booleans import boolean
 from ._built import VERSION as __version__
 from ._errors import WindingError, WindingWarning
 from .arrays import contains, field, signed_distance, surface, winding_number
@@ -27,6 +28,7 @@ __all__ = [
     "WindingError",
     "WindingWarning",
     "__version__",
+    "boolean",
     "contains",
     "estimate_normals",
     "field",

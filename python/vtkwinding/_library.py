@@ -344,7 +344,7 @@ def call(name, *arguments, threads=0, longest_expected_time=0, note=None, words=
 
 RUN = object()
 _ON_GRIDS = (
-    "winding_evaluate_grid", "winding_level_surface", "winding_label")
+    "winding_evaluate_grid", "winding_level_surface", "winding_boolean", "winding_label")
 
 
 class Handle:

@@ -13,6 +13,7 @@ COVERAGES = {"center": 0, "any": 1, "fraction": 2}
 FEATURES = {"smooth": 0, "sharp": 1}
 ASSOCIATIONS = {"point": 0, "cell": 1}
 NORMAL_ESTIMATIONS = {"auto": 0, "tree": 1, "consistent": 2}
+OPERATIONS = {"union": 0, "intersection": 1, "difference": 2, "xor": 3}
 OVERLAPS = {"first": 0, "last": 1, "largest": 2, "smallest": 3}
 AREA_METHODS = {"voronoi": 0, "mesh": 1, "constant": 2}
 

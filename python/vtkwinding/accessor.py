@@ -22,7 +22,18 @@ import numpy as np
 import pyvista as pv
 from numpy.typing import ArrayLike
 
-from . import _clouds, _datasets, _grids, _images, _library, _options, _parts, _voxels, fields
+from . import (
+    _booleans,
+    _clouds,
+    _datasets,
+    _grids,
+    _images,
+    _library,
+    _options,
+    _parts,
+    _voxels,
+    fields,
+)
 from ._errors import WindingError
 from ._progress import bar
 from ._regions import name_of, names_of_ids, names_of_labels, names_of_parts, regions_of
@@ -115,6 +126,18 @@ def _polydata(points, corners, offsets):
     made.points = points
     made.SetPolys(_datasets.cell_array_of(made, corners, offsets))
     return made
+
+
+def _surface_of(arrays):
+    """A surface that the library has made, with its normals."""
+    surface = _polydata(arrays["points"], arrays["corners"], arrays["offsets"])
+    if arrays["point_normals"] is not None:
+        surface.point_data["Normals"] = arrays["point_normals"]
+        surface.point_data.active_normals_name = "Normals"
+    if arrays["polygon_normals"] is not None:
+        surface.cell_data["Normals"] = arrays["polygon_normals"]
+        surface.cell_data.active_normals_name = "Normals"
+    return surface
 
 
 class WindingAccessor:
@@ -296,17 +319,75 @@ class WindingAccessor:
                           bounds=bounds, padding=padding)
         with bar(progress_bar, "Extracting the surface") as show:
             arrays = field.level_surface(grid, sides, show=show, **settings)
-        surface = _polydata(arrays["points"], arrays["corners"], arrays["offsets"])
-        if arrays["point_normals"] is not None:
-            surface.point_data["Normals"] = arrays["point_normals"]
-            surface.point_data.active_normals_name = "Normals"
-        if arrays["polygon_normals"] is not None:
-            surface.cell_data["Normals"] = arrays["polygon_normals"]
-            surface.cell_data.active_normals_name = "Normals"
+        surface = _surface_of(arrays)
         if adds_distances and surface.n_points:
             distances = field.at(surface.points, {"distance": np.dtype("f8")}, sides)["distance"]
             surface.point_data["DistanceToInput"] = np.abs(distances)
             surface.set_active_scalars("DistanceToInput", "point")
+        return surface
+
+    @_with_options
+    def boolean_union(self, other: Any, *, dimensions: ArrayLike | None = None,
+                      spacing: ArrayLike | None = None, resolution: int | None = None,
+                      bounds: ArrayLike | None = None, padding: float = 0.05,
+                      features: str = "smooth", progress_bar: bool = False,
+                      **options: Unpack[SourceOptions]) -> pv.PolyData:
+        """The union of this mesh and another, or a list of others: PolyData of triangles.
+
+        Each mesh is a solid by its own winding number, and need be neither closed nor manifold. All
+        of them are sampled on one grid, that of field() over what the result can reach. features:
+        'smooth', or 'sharp', which keeps edges and corners. The cell array 'Operand' says which mesh
+        a face lies on: 0 is this one. The options are for all meshes.
+        """
+        return self._boolean("union", other, features, progress_bar, options, dimensions=dimensions,
+                             spacing=spacing, resolution=resolution, bounds=bounds, padding=padding)
+
+    @_with_options
+    def boolean_intersection(self, other: Any, *, dimensions: ArrayLike | None = None,
+                             spacing: ArrayLike | None = None, resolution: int | None = None,
+                             bounds: ArrayLike | None = None, padding: float = 0.05,
+                             features: str = "smooth", progress_bar: bool = False,
+                             **options: Unpack[SourceOptions]) -> pv.PolyData:
+        """What this mesh has in common with another, or with all of a list: as boolean_union()."""
+        return self._boolean("intersection", other, features, progress_bar, options,
+                             dimensions=dimensions, spacing=spacing, resolution=resolution,
+                             bounds=bounds, padding=padding)
+
+    @_with_options
+    def boolean_difference(self, other: Any, *, dimensions: ArrayLike | None = None,
+                           spacing: ArrayLike | None = None, resolution: int | None = None,
+                           bounds: ArrayLike | None = None, padding: float = 0.05,
+                           features: str = "smooth", progress_bar: bool = False,
+                           **options: Unpack[SourceOptions]) -> pv.PolyData:
+        """This mesh without another, or without all of a list: as boolean_union()."""
+        return self._boolean("difference", other, features, progress_bar, options,
+                             dimensions=dimensions, spacing=spacing, resolution=resolution,
+                             bounds=bounds, padding=padding)
+
+    def _boolean(self, operation, other, features, progress_bar, options, **wishes):
+        """The surface of an operation on this mesh and others."""
+        others = other if isinstance(other, (list, tuple)) else [other]
+        number = _options.OPERATIONS[operation]
+        settings = {"features": _options.choice("features", features, _options.FEATURES),
+                    "generate_normals": True}
+        _check_source("the mesh", self._mesh)
+        for mesh in others:
+            _check_source("other", mesh)
+        made = [self._field(options)] + [
+            accessor_of(mesh)._field(options, "other") for mesh in others]
+        solids, sides = zip(*made)
+
+        def bounds():
+            found = _booleans.reach_of(solids, number)
+            if found is None:
+                raise WindingError("the inputs are empty: give bounds (bounds=)")
+            return found
+
+        grid = fields.grid_of(_grids.Plan(bounds, **wishes), bounds)
+        with bar(progress_bar, f"Making the {operation}") as show:
+            arrays = _booleans.combine(solids, sides, number, grid, show=show, **settings)
+        surface = _surface_of(arrays)
+        surface.cell_data["Operand"] = arrays["numbers"].astype(np.int32)
         return surface
 
     def _probe(self, surface, kinds, progress_bar, message, options, association="point"):

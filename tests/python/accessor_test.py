@@ -306,6 +306,22 @@ class AccessorTest(Warned):
                     self.assertAlmostEqual(inner.volume / ball().volume, share, delta=0.003)
                 self.assertAlmostEqual((inner.volume + outer.volume) / mesh.volume, 1, 3)
 
+    def test_booleans_of_open_meshes(self):
+        one, other = scan(), ball().translate((0.4, 0, 0), inplace=False)
+        union = one.winding.boolean_union(other, resolution=40)
+        common = one.winding.boolean_intersection(other, resolution=40)
+        left = one.winding.boolean_difference(other, resolution=40, features="sharp")
+        for result in (union, common, left):
+            self.assertTrue(result.is_manifold)
+            self.assertEqual(set(result["Operand"]), {0, 1})
+        whole = one.winding.surface(resolution=40).volume
+        self.assertAlmostEqual(left.volume + common.volume, whole, delta=0.01 * whole)
+        self.assertAlmostEqual(union.volume - other.volume, left.volume, delta=0.01 * whole)
+        further = one.winding.boolean_difference([other, pv.Sphere(radius=0.1, center=(-0.3, 0, 0))], resolution=40)
+        self.assertLess(further.volume, left.volume)
+        with self.assertRaisesRegex(TypeError, "other must be a surface"):
+            one.winding.boolean_union(3)
+
     def test_labels_are_those_of_bodies(self):
         pair = ball() + ball().translate((2, 0, 0))
         blocks = pv.MultiBlock({"first": ball(), "second": ball().translate((2, 0, 0))})

@@ -209,6 +209,29 @@ class FunctionsTest(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "list of Field"):
             vtkwinding.labels([CORNERS])
 
+    def test_booleans(self):
+        cubes = [Field(CORNERS, CUBE), Field(CORNERS + [0.5, 0.25, 0.25], CUBE)]
+        common = 0.5 * 0.75 * 0.75
+        for operation, volume in (("union", 2 - common), ("intersection", common),
+                                  ("difference", 1 - common)):
+            points, triangles = vtkwinding.boolean(
+                cubes, operation, resolution=30, features="sharp")
+            a, b, c = points[triangles].astype(float).transpose(1, 0, 2)
+            self.assertAlmostEqual((np.cross(a, b) * c).sum() / 6, volume, 5)
+        reversed_cube = Field(CORNERS + [2, 0, 0], CUBE[:, ::-1], rule="absolute")
+        points, _ = vtkwinding.boolean([cubes[0], reversed_cube], resolution=20, dtype=np.float64)
+        self.assertEqual(points.dtype, np.float64)
+        self.assertGreater(points[:, 0].max(), 2.9)
+        with self.assertWarnsRegex(vtkwinding.WindingWarning, "nothing is inside of the result"):
+            points, triangles = vtkwinding.boolean(
+                [cubes[0], reversed_cube], "intersection", resolution=20)
+        self.assertEqual((len(points), len(triangles)), (0, 0))
+        for wrong in (cubes[0], cubes[:1], [CORNERS, CORNERS]):
+            with self.assertRaisesRegex(TypeError, "list of"):
+                vtkwinding.boolean(wrong)
+        with self.assertRaisesRegex(ValueError, "operation must be one of union, intersection"):
+            vtkwinding.boolean(cubes, "sum")
+
     def test_report_and_orientation(self):
         faces = CUBE.copy()
         faces[3] = faces[3, ::-1]
