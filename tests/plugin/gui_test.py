@@ -39,8 +39,10 @@ INPUTS = {
     "WindingNumberVoxels": "WindingNumberField1",
     "WindingNumberLabels": "WindingNumberSurface1",
 }
+# What makes the first input of filters with two, by the name of the second one, which is the scan.
+FIRST_INPUTS = {"Source": "add_plane", "Others": "add_ball"}
 # The array by which a result is to be coloured, where it looks like its input otherwise.
-COLORS = {"PointAreas": "Area"}
+COLORS = {"PointAreas": "Area", "WindingNumberBoolean": "Operand"}
 # The filters whose results have cells and no points.
 WITHOUT_POINTS = {"WindingNumberHyperTree"}
 
@@ -54,17 +56,19 @@ DIFFERENT_SHARE, DIFFERENT_COLOR = 0.004, 16
 
 
 def filters():
-    """The filters in the order of the menu: name, label, and whether there is a second input."""
+    """The filters in the order of the menu: name, label, and the second input, if any."""
     plugin = ROOT / "paraview-plugin"
     proxies = {
         proxy.get("name"): proxy
         for file in plugin.glob("*.xml")
         for proxy in ElementTree.parse(file).iter("SourceProxy")
     }
-    source = "InputProperty[@name='Source']"
     names = [entry.get("name") for entry in ElementTree.parse(plugin / "Menu.xml").iter("Proxy")]
     return [
-        (name, proxies[name].get("label"), proxies[name].find(source) is not None) for name in names
+        (name, proxies[name].get("label"),
+         next((second for second in ("Source", "Others")
+               if proxies[name].find(f"InputProperty[@name='{second}']") is not None), None))
+        for name in names
     ]
 
 
@@ -107,9 +111,9 @@ class Clicks:
             self.add(f"{WINDOW}/QuickLaunchDialog", "keyEvent", key)
         self.add(f"{WINDOW}/QuickLaunchDialog", "keyEvent", f"{key_press},{enter},0,,0,1")
 
-    def take_first_as_source(self):
+    def take_first_as(self, name):
         """The dialog of filters with two inputs, whose first is the active source already."""
-        self.add(f"{DIALOG}/buttonFrame/Source", "set_boolean", "true")
+        self.add(f"{DIALOG}/buttonFrame/{name}", "set_boolean", "true")
         self.add(f"{DIALOG}/pipelineView", "currentChanged", "/0/0|0")
         self.add(f"{DIALOG}/buttonBox/1QPushButton0")
 
@@ -120,11 +124,11 @@ def clicks():
     result.python("import gui_window")
     result.open(SCAN)
     result.python("gui_window.take('scan')")
-    for name, label, has_source in filters():
-        if has_source:
-            result.python("gui_window.choose('scan.off'); gui_window.add_plane()")
+    for name, label, second in filters():
+        if second:
+            result.python(f"gui_window.choose('scan.off'); gui_window.{FIRST_INPUTS[second]}()")
             result.filter(label)
-            result.take_first_as_source()
+            result.take_first_as(second)
         else:
             result.python(f"gui_window.choose('{INPUTS.get(name, 'scan.off')}')")
             result.filter(label)

@@ -35,6 +35,17 @@ def choose(name):
 
 
 @told_outside
+def add_ball():
+    """A ball that overlaps with the scan."""
+    simple.SetActiveSource(
+        simple.Sphere(
+            registrationName="ball", Center=(1, 0, 0), Radius=0.8, ThetaResolution=40,
+            PhiResolution=30,
+        )
+    )
+    simple.GetActiveSource().UpdatePipeline()
+
+
 def add_plane():
     """A plane through the middle of the scan, at whose points winding numbers are asked for."""
     simple.SetActiveSource(
@@ -52,7 +63,8 @@ def add_plane():
 
 @told_outside
 def color_by(array):
-    simple.ColorBy(simple.GetDisplayProperties(), ("POINTS", array))
+    points = simple.GetActiveSource().GetPointDataInformation().GetArray(array)
+    simple.ColorBy(simple.GetDisplayProperties(), ("POINTS" if points else "CELLS", array))
 
 
 @told_outside
