@@ -58,6 +58,15 @@ def show_surface(view, scan, _):
     show(view, simple.WindingNumberSurface(Input=scan, Resolution=96), 1.3)
 
 
+def show_boolean(view, scan, _):
+    ball = simple.Sphere(Radius=0.75, Center=(0.75, 0.3, 0.5), ThetaResolution=48, PhiResolution=32)
+    show(view, scan, -1.3)
+    show(view, ball, -1.3, GREY, Representation="Wireframe")
+    cut = simple.WindingNumberBoolean(
+        Input=scan, Others=ball, Operation="Difference", Resolution=96, Features="Sharp")
+    color_by(view, show(view, cut, 1.3), "Operand", -0.3, 1.3, association="CELLS")
+
+
 def show_voxels(view, scan, _):
     show(view, scan, -1.3)
     field = simple.WindingNumberField(Input=scan, Resolution=32)
@@ -123,6 +132,7 @@ def show_areas(view, _, cloud):
 PICTURES = {
     "WindingNumberField": show_field,
     "WindingNumberSurface": show_surface,
+    "WindingNumberBoolean": show_boolean,
     "WindingNumberVoxels": show_voxels,
     "WindingNumberLabels": show_labels,
     "WindingNumberHyperTree": show_hyper_tree,

@@ -398,7 +398,8 @@ class TestProxies(unittest.TestCase):
                 with self.subTest(f"{name}.{port}"):
                     smproperty = new_proxy("filters", name).GetProperty(port)
                     self.assertIsNotNone(smproperty.FindDomain("vtkSMDataTypeDomain"))
-                    if "NormalsArray" in SETTABLE[name] and "Source" not in inputs and port != "Like":
+                    takes_normals = "NormalsArray" in SETTABLE[name] and "Source" not in inputs
+                    if takes_normals and port not in ("Like", "Others"):
                         self.assertIsNotNone(smproperty.GetDomain("point_vectors"))
 
     def test_all_is_documented_in_sentences(self):
@@ -464,8 +465,8 @@ class TestState(unittest.TestCase):
         simple.ResetSession()
         load_plugin()
         inputs = {"Input": unit_sphere()}
-        if "Source" in INPUTS[name]:
-            inputs["Source"] = unit_sphere()
+        for second in INPUTS[name] & {"Source", "Others"}:
+            inputs[second] = unit_sphere()
         if name == "WindingNumberVoxels":
             inputs["Input"] = simple.WindingNumberField(Input=inputs["Input"], OutputAssociation="Cells")
             inputs["Input"].UpdatePipeline()

@@ -1,6 +1,7 @@
 """The plugin in Python makes what the plugin in C++ makes, to the bit, and each opens states of the
 other. The zip is unpacked into a folder of its own, as users do it, and ParaView's own interpreter
 runs it."""
+import concurrent.futures
 import json
 import os
 import pathlib
@@ -65,11 +66,15 @@ simple.LoadPlugin(os.environ["WINDING_PLUGIN"], remote=False)
         return self.run_script(plugin, script, *arguments, **options)
 
     def test_same_bits_figures_and_messages(self):
-        found = {}
-        for name, plugin in (("c++", self.cxx), ("python", self.python)):
+        def results(name, plugin):
             path = self.folder / f"{name}.json"
             self.run_script(plugin, here / "python_results.py", data, path)
-            found[name] = json.loads(path.read_text())
+            return json.loads(path.read_text())
+
+        with concurrent.futures.ThreadPoolExecutor() as pool:
+            results_of = {name: pool.submit(results, name, plugin)
+                          for name, plugin in (("c++", self.cxx), ("python", self.python))}
+            found = {name: result.result() for name, result in results_of.items()}
         self.assertEqual(set(found["python"]), set(found["c++"]))
         for execution, expected in found["c++"].items():
             with self.subTest(execution):
@@ -78,9 +83,12 @@ simple.LoadPlugin(os.environ["WINDING_PLUGIN"], remote=False)
                                    for facts in (found["python"][execution], expected)))
 
     def test_passes_the_tests_of_the_plugin_in_cxx(self):
-        for subject in SAME:
-            with self.subTest(subject):
-                self.run_script(self.python, here / f"{subject}_test.py")
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            runs = {subject: pool.submit(self.run_script, self.python, here / f"{subject}_test.py")
+                    for subject in SAME}
+            for subject, run in runs.items():
+                with self.subTest(subject):
+                    run.result()
 
     def test_loads_after_a_zip_that_did_not(self):
         """A folder of another system, or half unpacked, is in the way of no other folder."""

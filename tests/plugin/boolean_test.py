@@ -1,0 +1,65 @@
+"""The filter Winding Number Boolean in ParaView."""
+import math
+import unittest
+
+from paraview import simple
+
+from support import errors_of, result, run_tests, unit_sphere, volume_of, warnings_of
+
+WHOLE, LENS = 4 * math.pi / 3, 1.30900  # unit spheres, and what two at a distance of 1 share
+
+
+class TestBoolean(unittest.TestCase):
+    def operands(self):
+        smooth = {"ThetaResolution": 64, "PhiResolution": 64}
+        return unit_sphere(**smooth), simple.Transform(
+            Input=unit_sphere(**smooth), Transform="Transform")
+
+    def boolean(self, **settings):
+        first, second = self.operands()
+        second.Transform.Translate = (1, 0, 0)
+        return simple.WindingNumberBoolean(
+            Input=first, Others=second, Resolution=48, **settings)
+
+    def test_operations_have_their_volumes(self):
+        boolean = self.boolean()
+        for operation, volume in (("Union", 2 * WHOLE - LENS), ("Intersection", LENS),
+                                  ("Difference", WHOLE - LENS)):
+            with self.subTest(operation):
+                boolean.Operation = operation
+                output = result(boolean)
+                self.assertAlmostEqual(volume_of(output), volume, delta=0.02 * volume)
+                self.assertEqual(output.GetCellData().GetArray("Operand").GetRange(), (0, 1))
+        boolean.Features = "Sharp"
+        self.assertAlmostEqual(
+            volume_of(result(boolean)), WHOLE - LENS, delta=0.01 * (WHOLE - LENS))
+
+    def test_there_may_be_several_others(self):
+        boolean = self.boolean(Operation="Difference")
+        one = volume_of(result(boolean))
+        third = simple.Transform(Input=unit_sphere(), Transform="Transform")
+        third.Transform.Translate = (-1, 0, 0)
+        boolean.Others = [*boolean.Others, third]
+        two = volume_of(result(boolean))
+        self.assertAlmostEqual(one - two, LENS, delta=0.03)
+        boolean.Others = [third]
+        self.assertAlmostEqual(volume_of(result(boolean)), one, delta=0.03)
+
+    def test_solids_that_do_not_meet_are_told(self):
+        boolean = self.boolean(Operation="Intersection")
+        boolean.Others[0].Transform.Translate = (5, 0, 0)
+        warnings = warnings_of(boolean)
+        self.assertEqual(result(boolean).GetNumberOfCells(), 0)
+        self.assertEqual(len(warnings), 1)
+        self.assertIn("nothing is inside of the result", warnings[0])
+
+    def test_what_does_not_fit_into_memory_is_refused(self):
+        boolean = self.boolean(SamplingDimensions=(2000000000, 100, 100))
+        errors = errors_of(boolean)
+        boolean.UpdatePipeline()
+        self.assertEqual(len(errors), 1)
+        self.assertIn("not enough memory: choose larger voxels", errors[0])
+
+
+if __name__ == "__main__":
+    run_tests()
