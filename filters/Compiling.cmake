@@ -36,8 +36,8 @@ set(winding_vtk_headers
   vtkStringArray.h vtkUnsignedCharArray.h vtkUnstructuredGrid.h)
 
 # winding_precompile(<target> <headers>…): precompiles these headers of others, and those of the
-# standard library that most files include. A file that forgets one compiles all the same, so
-# libraries and programs are built without, unless WINDING_PRECOMPILE is on.
+# standard library that most files include. A file that forgets one compiles all the same. The preset
+# newest finds it, which is without, and so is a build without presets.
 function(winding_precompile target)
   list(TRANSFORM ARGN PREPEND "$<$<COMPILE_LANGUAGE:CXX>:<" OUTPUT_VARIABLE headers)
   list(TRANSFORM headers APPEND "$<ANGLE-R>>")
