@@ -294,7 +294,7 @@ int vtkWindingNumberBoolean::RequestData(
     const Temporarily<int> rule(this->InsideRule, this->GetOperandInsideRule(number));
     this->ChooseSource(i, name);
     this->SetProgressShiftScale(static_cast<double>(i) / (count + 1), 1.0 / (count + 1));
-    operands.push_back(this->MakeOperand(blocks->GetBlock(i)));
+    operands.push_back(this->MakeOperand(blocks->GetBlock(i), name));
     this->Facts->add(this->Superclass::GetSourceInfo(), name, false);
     prepareSeconds += this->PrepareSeconds;
     evaluateSeconds += this->EvaluateSeconds;
@@ -317,10 +317,11 @@ int vtkWindingNumberBoolean::RequestData(
 }
 
 /// Finds the edges of the grid that the surface of an operand crosses, and where.
-vtkWindingNumberBoolean::Operand vtkWindingNumberBoolean::MakeOperand(vtkDataObject* source)
+vtkWindingNumberBoolean::Operand vtkWindingNumberBoolean::MakeOperand(
+  vtkDataObject* source, const std::string& name)
 {
   Operand operand;
-  const winding::Field& field = this->PrepareGridField(source);
+  const winding::Field& field = this->PrepareGridFieldOf(source, name);
   if (this->IsHelper())
   {
     return operand;

@@ -83,11 +83,8 @@ public:
   void SetOperationToSymmetricDifference() { this->SetOperation(SYMMETRIC_DIFFERENCE); }
   ///@}
 
-  ///@{
-  /// Adds an operand to port 1, and takes all of that port away.
-  void AddOtherConnection(vtkAlgorithmOutput* operand) { this->AddInputConnection(1, operand); }
+  /// Removes all connections of port 1.
   void RemoveOtherConnections() { this->SetInputConnection(1, nullptr); }
-  ///@}
 
   ///@{
   /// The threshold and the inside rule of an operand, counted from 0, in place of WindingThreshold
@@ -140,7 +137,7 @@ private:
   };
 
   OperandChoice& ChoiceOf(int operand);
-  Operand MakeOperand(vtkDataObject* source);
+  Operand MakeOperand(vtkDataObject* source, const std::string& name);
   void MakeResult(const std::vector<Operand>& operands, vtkPolyData* output);
 
   std::map<int, OperandChoice> Choices;

@@ -303,6 +303,25 @@ const winding::Field& vtkWindingNumberGridAlgorithm::PrepareGridField(vtkDataObj
   return this->PrepareField(source, grid, winding::sampleCount(grid.wholeExtent()) / makers);
 }
 
+const winding::Field& vtkWindingNumberGridAlgorithm::PrepareGridFieldOf(
+  vtkDataObject* source, const std::string& name)
+{
+  try
+  {
+    return this->PrepareGridField(source);
+  }
+  catch (const winding::OutOfMemory&)
+  {
+    throw;
+  }
+  catch (const winding::Refusal& refusal)
+  {
+    winding::Message message = refusal.message();
+    message.facts += (message.facts.empty() ? "solid '" : ", solid '") + name + "'";
+    throw winding::Refusal(message);
+  }
+}
+
 void vtkWindingNumberGridAlgorithm::WarnOfGrid(const winding::Field& field, bool isEmpty,
   const std::function<bool(int i, int j, int k)>& isInside)
 {

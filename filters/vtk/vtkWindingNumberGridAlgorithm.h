@@ -181,6 +181,9 @@ protected:
   /// does all.
   const winding::Field& PrepareGridField(vtkDataObject* source);
 
+  /// PrepareGridField() for one of several solids; what is refused has its name.
+  const winding::Field& PrepareGridFieldOf(vtkDataObject* source, const std::string& name);
+
   /// Warns of a grid that misses the source or is too coarse for it, or has no sample inside, which
   /// `isEmpty` says. `isInside` says for the parts that are lost which samples are inside. Where it
   /// is null, some samples are evaluated, unless voxels that the source touches count as inside. A

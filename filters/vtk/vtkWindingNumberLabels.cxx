@@ -217,23 +217,10 @@ const winding::Field& vtkWindingNumberLabels::PrepareSolid(
   const winding::Solids& solids, std::size_t number)
 {
   const std::string& name = solids.name(number);
-  try
-  {
-    const winding::Field& field = this->PrepareGridField(solids.source(number));
-    this->Facts->add(
-      this->vtkWindingNumberGridAlgorithm::GetSourceInfo(), name, solids.isOpenPart(number));
-    return field;
-  }
-  catch (const winding::OutOfMemory&)
-  {
-    throw;
-  }
-  catch (const winding::Refusal& refusal)
-  {
-    winding::Message message = refusal.message();
-    message.facts += (message.facts.empty() ? "solid '" : ", solid '") + name + "'";
-    throw winding::Refusal(message);
-  }
+  const winding::Field& field = this->PrepareGridFieldOf(solids.source(number), name);
+  this->Facts->add(
+    this->vtkWindingNumberGridAlgorithm::GetSourceInfo(), name, solids.isOpenPart(number));
+  return field;
 }
 
 /// Counts a solid that looks inward: as a whole, or in part if it has samples inside. Returns

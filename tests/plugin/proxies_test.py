@@ -181,7 +181,7 @@ REPORTED = {
 }
 LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples", "NumberOfSamplesOnSurface",
             "NumberOfSamplesBesidePoints", "MaxErrorBesidePoints", "SourceIsInsideOut",
-            "NumberOfVertices", "Controller", "InputNames"}
+            "NumberOfVertices", "Controller", "InputNames", "Choices"}
 
 INPUTS = {
     "SurfaceReport": {"Input"},

@@ -342,6 +342,18 @@ TEST_F(Boolean, NeedsTwoSolids)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
+TEST_F(Boolean, RefusesByTheNameOfTheOperand)
+{
+  filter->SetInputDataObject(0, sphereAt(0));
+  filter->SetInputDataObject(1, sphereCloud(500, 0));
+  filter->SetOperandName(1, "tool");
+  const ErrorLog log(filter);
+  filter->Update();
+  EXPECT_NE(log.errors().find("the points have no normals"), std::string::npos) << log.errors();
+  EXPECT_NE(log.errors().find("solid 'tool'"), std::string::npos) << log.errors();
+  EXPECT_EQ(filter->GetStatus(), Filter::REFUSED);
+}
+
 TEST_F(Boolean, WarnsByTheNameOfTheOperand)
 {
   vtkNew<vtkReverseSense> reversed;
