@@ -37,6 +37,9 @@ std::string checkCompletion(Choices& choices);
 /// Level roots and edges of grids: LevelCheck.cxx.
 std::string checkLevel(Choices& choices);
 
+/// Edges and roots of operations on several sources: LevelCheck.cxx.
+std::string checkBoolean(Choices& choices);
+
 /// Sharp surfaces: SharpCheck.cxx.
 std::string checkSharp(Choices& choices);
 
@@ -64,8 +67,8 @@ inline std::vector<NamedCheck> allChecks()
 {
   return {{"surface_field", checkSurfaceField}, {"cloud_field", checkCloudField},
     {"coverage", checkCoverage}, {"orientation", checkOrientation}, {"completion", checkCompletion},
-    {"level", checkLevel}, {"voxel_trees", checkVoxelTrees}, {"sharp", checkSharp},
-    {"lattice", checkLattice}, {"library", checkLibrary}};
+    {"level", checkLevel}, {"boolean", checkBoolean}, {"voxel_trees", checkVoxelTrees},
+    {"sharp", checkSharp}, {"lattice", checkLattice}, {"library", checkLibrary}};
 }
 
 } // namespace fuzz

@@ -2,6 +2,7 @@
 #include "FieldValues.h"
 #include "RandomSources.h"
 
+#include "level/CombinedRoots.h"
 #include "level/LevelRoots.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@
  * @file
  * The edges of a grid that a level crosses are compared with the sides of its samples, whatever the
  * slabs; the roots on them lie on their edges, are the same for every executor and are found in few
- * rounds.
+ * rounds. So are the edges of operations on several sources, with the answers at each sample.
  */
 namespace fuzz
 {
@@ -131,6 +132,139 @@ std::string checkLevel(Choices& choices)
   const bool same = roots.roots().fractions == again.roots().fractions &&
                     roots.roots().normals == again.roots().normals;
   return same ? std::string() : "roots depend on the executor";
+}
+
+namespace
+{
+
+/// An operand of an operation, with the sides of all samples of a grid.
+struct Operand
+{
+  Operand(std::shared_ptr<const Field> source, const Grid& grid, Choices& choices, bool border,
+    Executor& executor)
+    : field(std::move(source))
+    , rule(randomRule(choices))
+    , threshold(randomThreshold(choices))
+    , edges(*field, grid, rule, threshold, border)
+    , roots(0)
+    , inside(sampleCount(grid.wholeExtent()))
+  {
+    findEdges(edges, executor);
+    LevelRoots found(*field, grid, edges, rule, threshold, 1e-3, executor);
+    failure = findRoots(found, executor);
+    roots = found.take();
+    FieldOutput output;
+    output.inside = inside.data();
+    output.rule = rule;
+    output.threshold = threshold;
+    field->evaluate(grid, grid.wholeExtent(), output, executor);
+  }
+
+  std::shared_ptr<const Field> field;
+  InsideRule rule;
+  double threshold;
+  LevelEdges edges;
+  EdgeRoots roots;
+  std::vector<unsigned char> inside;
+  std::string failure;
+};
+
+/// The answers of an operation at each sample, by its definition.
+std::vector<unsigned char> answersOf(
+  BooleanOperation operation, const std::vector<std::unique_ptr<Operand>>& operands)
+{
+  std::vector<unsigned char> answers = operands.front()->inside;
+  for (std::size_t n = 1; n < operands.size(); ++n)
+  {
+    for (std::size_t i = 0; i < answers.size(); ++i)
+    {
+      const bool before = answers[i] != 0, own = operands[n]->inside[i] != 0;
+      answers[i] = operation == BooleanOperation::unite       ? before || own
+                   : operation == BooleanOperation::intersect ? before && own
+                   : operation == BooleanOperation::subtract  ? before && !own
+                                                              : before != own;
+    }
+  }
+  return answers;
+}
+
+/// Whether all edges lie between samples with these answers.
+bool lieBetween(
+  const LevelEdges& edges, const Grid& grid, const std::vector<unsigned char>& answers)
+{
+  const auto answer = [&](const std::array<int, 3>& sample)
+  {
+    const Eigen::Map<const Eigen::Vector3i> at(sample.data());
+    return (at.array() >= 0).all() && (at.array() < grid.dimensions.array()).all() &&
+           answers[sampleNumber(grid.wholeExtent(), at)] != 0;
+  };
+  for (std::size_t n = 0; n < edges.size(); ++n)
+  {
+    std::array<int, 3> next = edges[n].sample;
+    ++next[edges[n].axis];
+    if (answer(edges[n].sample) != edges[n].firstIsInside || answer(next) == edges[n].firstIsInside)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+std::string checkBoolean(Choices& choices)
+{
+  const bool border = choices.oneIn(2);
+  SerialExecutor serial;
+  BackwardExecutor backward;
+  Grid grid;
+  std::vector<std::unique_ptr<Operand>> operands;
+  std::vector<const LevelEdges*> edges;
+  std::vector<LevelOperand> parts;
+  for (int n = choices.oneIn(3) ? 3 : 2; n > 0; --n)
+  {
+    auto field = randomField(choices);
+    if (!field || field->info().primitives == 0)
+    {
+      return {};
+    }
+    grid = operands.empty() ? randomGrid(choices, field->info().bounds) : grid;
+    operands.push_back(std::make_unique<Operand>(std::move(field), grid, choices, border, serial));
+    if (!operands.back()->failure.empty())
+    {
+      return operands.back()->failure;
+    }
+    edges.push_back(&operands.back()->edges);
+    parts.push_back({&operands.back()->edges, &operands.back()->roots});
+  }
+  for (const auto operation : {BooleanOperation::unite, BooleanOperation::intersect,
+         BooleanOperation::subtract, BooleanOperation::exclude})
+  {
+    const LevelEdges result(edges, operation, grid, serial);
+    const LevelEdges again(edges, operation, grid, backward);
+    const std::vector<unsigned char> answers = answersOf(operation, operands);
+    if (countChanges(grid, answers, border) != result.size() || !lieBetween(result, grid, answers))
+    {
+      return "there are other edges than the answers at samples tell";
+    }
+    const CombinedRoots combined(result, parts, operation, serial);
+    const CombinedRoots other(again, parts, operation, backward);
+    if (!areSame(result, again) || combined.roots.fractions != other.roots.fractions ||
+        combined.operands != other.operands)
+    {
+      return "the result depends on the executor";
+    }
+    for (std::size_t n = 0; n < result.size(); ++n)
+    {
+      const LevelOperand& part = parts[combined.operands[n]];
+      const std::size_t own = part.edges->find(result[n].sample, result[n].axis);
+      if (own == part.edges->size() || part.roots->fractions[own] != combined.roots.fractions[n])
+      {
+        return "a root is not one of its operand's";
+      }
+    }
+  }
+  return {};
 }
 
 } // namespace fuzz
