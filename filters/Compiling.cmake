@@ -29,6 +29,13 @@ endfunction()
 
 option(WINDING_PRECOMPILE "Precompile the headers of others for all targets; for tests it is done anyway" OFF)
 
+# VTK's wheels for x86_64 Linux have the C++ ABI of before C++11. Their helper says so to the module,
+# but not to the static core that is linked into it.
+option(WINDING_OLD_CXX_ABI "Build for the C++ ABI of before C++11, as VTK's wheels are" OFF)
+if(WINDING_OLD_CXX_ABI)
+  add_compile_definitions(_GLIBCXX_USE_CXX11_ABI=0)
+endif()
+
 # What most files of the filters and of their tests include.
 set(winding_vtk_headers
   vtkCellArray.h vtkCellData.h vtkDoubleArray.h vtkFieldData.h vtkFloatArray.h vtkImageData.h
@@ -36,8 +43,8 @@ set(winding_vtk_headers
   vtkStringArray.h vtkUnsignedCharArray.h vtkUnstructuredGrid.h)
 
 # winding_precompile(<target> <headers>…): precompiles these headers of others, and those of the
-# standard library that most files include. A file that forgets one compiles all the same. The preset
-# newest finds it, which is without, and so is a build without presets.
+# standard library that most files include. A file that forgets one compiles all the same. The presets
+# clang and dev find it, which are without, and so is a build without presets.
 function(winding_precompile target)
   list(TRANSFORM ARGN PREPEND "$<$<COMPILE_LANGUAGE:CXX>:<" OUTPUT_VARIABLE headers)
   list(TRANSFORM headers APPEND "$<ANGLE-R>>")

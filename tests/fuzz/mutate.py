@@ -140,6 +140,7 @@ def command_for(chance, name, other):
             "field",
             "surface",
             "sharp",
+            "boolean",
             "voxels",
             "labels",
             "probe",
@@ -177,6 +178,14 @@ def command_for(chance, name, other):
                                ["--distance"] if output == "out.vtp" else []))
         sharp = ["--features", "sharp", *extra]
         return ["surface", name, "-o", output, *grid, *method, *cloud, *sharp], [output]
+    if command == "boolean":
+        output = "out" + chance.choice((".obj", ".stl", ".ply", ".vtp"))
+        operation = chance.choice(("union", "intersection", "difference", "xor"))
+        extra = chance.choice(([], ["--features", "sharp"], ["--rules", "absolute,signed"],
+                               ["--thresholds", "0.3,1.5"], ["--verify", "20", "--json"]))
+        pair = chance.choice(([name, other], [other, name], [name, name]))
+        return ["boolean", *pair, "-o", output, "--operation", operation, *grid, *method, *cloud,
+                *extra], [output]
     if command == "labels":
         output = "out" + chance.choice((".vti", ".vti", ".vtp", ".stl"))
         extra = chance.choice(

@@ -12,6 +12,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSurfaceReport.h"
+#include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
@@ -105,6 +106,41 @@ TEST(SurfaceOnRanks, IsThatOfOneRankOnTheFirst)
       expectSame(found->GetOutput()->GetPolys()->GetConnectivityArray(),
         expected->GetOutput()->GetPolys()->GetConnectivityArray());
     }
+  }
+}
+
+TEST(BooleanOnRanks, IsThatOfOneRankOnTheFirst)
+{
+  const shapes::Mesh tool = shapes::cube({0.1, 0.2, -0.3}, {1.5, 1.4, 1.3});
+  for (const auto& [name, mesh] : meshes())
+  {
+    SCOPED_TRACE(name);
+    const auto booleanOf = [&tool](const shapes::Mesh& first, bool isAlone)
+    {
+      const auto partOfThis = [isAlone](const shapes::Mesh& all)
+      {
+        return isAlone ? partOf(all, whole, 0, 1) : partOf(all, deals()[0], rank(), ranks());
+      };
+      auto boolean = filterOf<vtkWindingNumberBoolean>(partOfThis(first), isAlone);
+      boolean->SetInputDataObject(1, partOfThis(tool));
+      boolean->SetResolution(17);
+      boolean->SetOperationToDifference();
+      return boolean;
+    };
+    const auto expected = booleanOf(mesh, true);
+    expected->Update();
+    const auto found = booleanOf(mesh, false);
+    updatePiece(found);
+    if (rank() > 0)
+    {
+      EXPECT_EQ(found->GetOutput()->GetNumberOfCells(), 0);
+      continue;
+    }
+    ASSERT_GT(expected->GetOutput()->GetNumberOfCells(), 0);
+    expectSame(
+      found->GetOutput()->GetPoints()->GetData(), expected->GetOutput()->GetPoints()->GetData());
+    expectSame(found->GetOutput()->GetPolys()->GetConnectivityArray(),
+      expected->GetOutput()->GetPolys()->GetConnectivityArray());
   }
 }
 
