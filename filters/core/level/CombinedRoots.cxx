@@ -67,7 +67,7 @@ const Change& changeOfResult(const GridEdge& edge, const std::vector<Change>& ch
 
 } // namespace
 
-CombinedRoots::CombinedRoots(const LevelEdges& edges, const std::vector<LevelOperand>& operands,
+CombinedRoots::CombinedRoots(const LevelEdges& edges, const std::vector<LevelOperand>& parts,
   BooleanOperation operation, Executor& executor)
   : roots(edges.size())
   , operands(edges.size())
@@ -79,11 +79,11 @@ CombinedRoots::CombinedRoots(const LevelEdges& edges, const std::vector<LevelOpe
       std::vector<Change> changes;
       for (std::size_t edge = first; edge < last; ++edge)
       {
-        findChanges(edges[edge], operands, changes);
-        const Change& change = changeOfResult(edges[edge], changes, operands, operation);
+        findChanges(edges[edge], parts, changes);
+        const Change& change = changeOfResult(edges[edge], changes, parts, operation);
         roots.fractions[edge] = change.fraction;
-        roots.normals[edge] = operands[change.operand].roots->normals[change.edge];
-        this->operands[edge] = change.operand;
+        roots.normals[edge] = parts[change.operand].roots->normals[change.edge];
+        operands[edge] = change.operand;
       }
     },
     executor);

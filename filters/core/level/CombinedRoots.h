@@ -26,7 +26,7 @@ struct LevelOperand
 struct CombinedRoots
 {
   /// Finds the roots of `edges`, the edges of the result of `operation`. Throws Interrupted.
-  CombinedRoots(const LevelEdges& edges, const std::vector<LevelOperand>& operands,
+  CombinedRoots(const LevelEdges& edges, const std::vector<LevelOperand>& parts,
     BooleanOperation operation, Executor& executor);
 
   EdgeRoots roots;
