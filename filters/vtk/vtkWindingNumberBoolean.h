@@ -87,14 +87,19 @@ public:
   void RemoveOtherConnections() { this->SetInputConnection(1, nullptr); }
 
   ///@{
-  /// The threshold and the inside rule of an operand, counted from 0, in place of WindingThreshold
-  /// and InsideRule. ClearOperands() leaves all operands to these again.
+  /// The threshold of an operand, counted from 0. Default: WindingThreshold.
   void SetOperandThreshold(int operand, double threshold);
   double GetOperandThreshold(int operand) const;
+  ///@}
+
+  ///@{
+  /// The inside rule of an operand, counted from 0. Default: InsideRule.
   void SetOperandInsideRule(int operand, int rule);
   int GetOperandInsideRule(int operand) const;
-  void ClearOperands();
   ///@}
+
+  /// Forgets the names, thresholds and inside rules of all operands.
+  void ClearOperands();
 
   ///@{
   /// The name of an operand, counted from 0, for warnings and OperandNames. Default: "Input 1" for

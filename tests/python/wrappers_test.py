@@ -30,7 +30,10 @@ ABSTRACT = {
     "vtkWindingNumberGridAlgorithm",
     "vtkWindingNumberImageAlgorithm",
     "vtkWindingNumberProbeAlgorithm",
+    "vtkWindingNumberSurfaceAlgorithm",
 }
+# Properties of one of several inputs are asked for by its number.
+BY_NUMBER = {"GetInputName", "GetOperandInsideRule", "GetOperandName", "GetOperandThreshold"}
 
 
 def sphere(resolution=24):
@@ -135,8 +138,7 @@ class ClassesTest(unittest.TestCase):
                     if cls.__name__ in CLASSES}
             for method in ours:
                 setter = getattr(instance, "Set" + method[3:], None)
-                # The name of an input is asked for by its number.
-                is_property = method.startswith("Get") and method != "GetInputName"
+                is_property = method.startswith("Get") and method not in BY_NUMBER
                 if not is_property or setter is None:
                     continue
                 with self.subTest(f"{name}.{method}"):
