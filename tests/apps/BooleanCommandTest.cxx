@@ -112,7 +112,7 @@ TEST_F(BooleanCommand, RefusesWhatItCannotDo)
   const auto expectRefused = [](const std::vector<std::string>& arguments, const std::string& why)
   {
     const Outcome run = runProgram(arguments);
-    EXPECT_EQ(run.status, 2) << run;
+    EXPECT_EQ(run.status, 1) << run;
     EXPECT_NE(run.err.find(why), std::string::npos) << run;
   };
   expectRefused({"boolean", a, "-o", out}, "there is one input; give another, too");
