@@ -75,12 +75,6 @@ void addSurface(CLI::App& app, Options& options)
   addThreshold(surface, options);
   addFeatures(surface, options);
   addComparison(surface, options);
-  surface
-    ->add_flag("--close-border", options.closeBorder,
-      "Close the surface where it reaches the border of the grid")
-    ->group("Output");
-  surface->add_flag("--double", options.asDouble, "Numbers in double precision, not float")
-    ->group("Output");
   addFieldOptions(surface, options);
   addThreads(surface, options);
   addLongestTime(surface, options);
@@ -120,12 +114,6 @@ void addBoolean(CLI::App& app, Options& options)
     boolean->get_option(option)->group("Output");
   }
   addFeatures(boolean, options);
-  boolean
-    ->add_flag("--close-border", options.closeBorder,
-      "Close the surface where it reaches the border of the grid")
-    ->group("Output");
-  boolean->add_flag("--double", options.asDouble, "Numbers in double precision, not float")
-    ->group("Output");
   addFieldOptions(boolean, options);
   addThreads(boolean, options);
   addLongestTime(boolean, options);

@@ -326,6 +326,12 @@ void addFeatures(CLI::App* command, Options& options)
     ->add_flag("--triangles", options.triangles,
       "With --features sharp: triangles only; without it, quads (but for .stl)")
     ->group("Output");
+  command
+    ->add_flag("--close-border", options.closeBorder,
+      "Close the surface where it reaches the border of the grid")
+    ->group("Output");
+  command->add_flag("--double", options.asDouble, "Numbers in double precision, not float")
+    ->group("Output");
 }
 
 void addComparison(CLI::App* command, Options& options)

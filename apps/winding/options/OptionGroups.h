@@ -54,7 +54,7 @@ void addFieldOptions(CLI::App* command, Options& options);
 
 void addThreshold(CLI::App* command, Options& options);
 
-/// Adds what a surface makes of edges of its source.
+/// Adds how a surface is made: edges of its source, the border of the grid, and the precision.
 void addFeatures(CLI::App* command, Options& options);
 
 /// Adds how a surface is compared with its source.
