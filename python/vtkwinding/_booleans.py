@@ -59,7 +59,7 @@ def reach_of(solids, operation):
 
 
 def combine(solids, sides, operation, grid, *, show=None, generate_normals=0, **settings):
-    """The arrays of the surface as triangles; 'numbers' are those of the solids that they lie on."""
+    """The arrays of the surface as triangles; 'numbers' say which solid each lies on."""
     handles = (ctypes.c_void_p * len(solids))(*(solid._handle(False).value for solid in solids))
     rules = (_library.Rule * len(solids))(*(one.rule for one in sides))
     options = _library.SurfaceOptions(
