@@ -79,6 +79,9 @@ public:
     const Change *first = nullptr, *last = nullptr;
   };
 
+  /// Returns the state of a run with value 1 inside and 0 outside.
+  static State sideOf(const RowRun& run) { return {run.value != 0, 0}; }
+
   explicit Layer(int border)
     : border_(border)
   {
@@ -225,10 +228,6 @@ LevelEdges::LevelEdges(const std::vector<const LevelEdges*>& operands, BooleanOp
 {
   const auto depth = static_cast<std::size_t>(grid.dimensions[2]);
   std::vector<Layer> layers(depth + 2, Layer(border_));
-  const auto stateOf = [](const RowRun& run)
-  {
-    return Layer::State{run.value != 0, 0};
-  };
   runBlocks(
     depth, 1,
     [&](std::size_t k, std::size_t, std::size_t)
@@ -242,7 +241,7 @@ LevelEdges::LevelEdges(const std::vector<const LevelEdges*>& operands, BooleanOp
           operands[n]->findRuns(j, static_cast<int>(k), rows[n]);
         }
         mergeRuns(rows, operation, merged);
-        layers[k + 1].addRow(merged, stateOf);
+        layers[k + 1].addRow(merged, Layer::sideOf);
       }
     },
     executor);
@@ -365,10 +364,6 @@ void LevelEdges::advanceBySamples(Executor& executor)
   const auto count = static_cast<std::size_t>(end - nextLayer_);
   std::vector<Layer> layers(count + 1, Layer(border_));
   layers[0] = std::move(*lastLayer_);
-  const auto stateOf = [](const RowRun& run)
-  {
-    return Layer::State{run.value != 0, 0};
-  };
   std::vector<SideCounts> sides(count);
   runBlocks(
     count, 1,
@@ -379,7 +374,7 @@ void LevelEdges::advanceBySamples(Executor& executor)
       for (int j = 0; j < grid_.dimensions[1]; ++j)
       {
         slab_->findRuns(j, k, runs);
-        layers[n + 1].addRow(runs, stateOf);
+        layers[n + 1].addRow(runs, Layer::sideOf);
       }
       if (rule_ == InsideRule::signedThreshold)
       {
