@@ -8,7 +8,9 @@
 #include <cstddef>
 #include <deque>
 #include <limits>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace winding
@@ -27,12 +29,22 @@ namespace winding
  *   std::pair<Part, Part> halves(part), for a part of at least two samples;
  *   void forEach(part, f), which calls f(position, sample) for each sample that is asked for, where
  *     the sample's name is of a type Samples::Name;
- *   void write(squared, sample), where `squared` is the square of its distance.
+ *   void write(squared, sample), where `squared` is the square of its distance;
+ *   bool isSettled(part, distance, rounding), which may be left out: whether the distance of the
+ *     middle of a part's box, as it is rounded, says all that is asked of its samples.
+ * Samples that move within the box of their part have, in place of the last two,
+ *   double settle(part, items, count), which evaluates them wherever they go. The items hold what
+ *     is nearest to any place of the box; without items, it has to search the tree. It returns the
+ *     samples times items that it has looked at;
+ *   std::monostate Name.
  */
 template <class Samples> class CellDescent
 {
 public:
   using Part = typename Samples::Part;
+
+  /// Whether samples move.
+  static constexpr bool areMoving = std::is_same_v<typename Samples::Name, std::monostate>;
 
   /// limit: distances beyond it, in scaled coordinates, are not asked for. Keeps references.
   CellDescent(const DistanceTree& tree, double limit, const Samples& samples)
@@ -96,7 +108,11 @@ private:
       this->evaluate(part, nullptr, 0); // all of the source is beyond the limit
       return;
     }
-    if (cell.isOnePlace())
+    if (this->isSettled(part, cell))
+    {
+      hasEvaluated_ = true;
+    }
+    else if (cell.isOnePlace())
     {
       this->searchOnce(part, cell.low, cell.nearest);
     }
@@ -131,6 +147,24 @@ private:
     lists_.open(cell, firstNode);
     return lists_.itemsFrom(firstNode) <= mostItems;
   }
+
+  bool isSettled(const Part& part, const NearestCell& cell) const
+  {
+    if constexpr (canSettle<Samples>(0))
+    {
+      const double distance = (cell.center() - cell.nearest.position).norm();
+      return samples_.isSettled(part, distance, cell.nearest.rounding);
+    }
+    return false;
+  }
+
+  template <class Some>
+  static constexpr auto canSettle(int)
+    -> decltype(std::declval<const Some&>().isSettled(std::declval<const Part&>(), 0.0, 0.0))
+  {
+    return true;
+  }
+  template <class> static constexpr bool canSettle(long) { return false; }
 
   struct Parts
   {
@@ -185,7 +219,7 @@ private:
     for (std::size_t i = 0; i < parts.count; ++i)
     {
       const Part& some = parts.part[i];
-      if (!samples_.isAskedFor(some))
+      if (!samples_.isAskedFor(some) || this->isSettled(some, cells[i]))
       {
         continue;
       }
@@ -213,17 +247,31 @@ private:
 
   void searchEach(const Part& part, const SourcePoint& nearby)
   {
-    samples_.forEach(part,
-      [&](const Eigen::Vector3d& position, const typename Samples::Name& sample)
-      { samples_.write(this->searched(position, nearby), sample); });
+    if constexpr (areMoving)
+    {
+      this->evaluate(part, nullptr, 0);
+    }
+    else
+    {
+      samples_.forEach(part,
+        [&](const Eigen::Vector3d& position, const typename Samples::Name& sample)
+        { samples_.write(this->searched(position, nearby), sample); });
+    }
   }
 
   /// Writes the distance of any number of samples at one place.
   void searchOnce(const Part& part, const Eigen::Vector3d& place, const SourcePoint& nearby)
   {
-    const double squared = this->searched(place, nearby);
-    samples_.forEach(part, [&](const Eigen::Vector3d&, const typename Samples::Name& sample)
-      { samples_.write(squared, sample); });
+    if constexpr (areMoving)
+    {
+      this->evaluate(part, nullptr, 0);
+    }
+    else
+    {
+      const double squared = this->searched(place, nearby);
+      samples_.forEach(part, [&](const Eigen::Vector3d&, const typename Samples::Name& sample)
+        { samples_.write(squared, sample); });
+    }
   }
 
   /// Writes the distances of samples from items; there are none where all of the source is
@@ -231,17 +279,24 @@ private:
   void evaluate(const Part& part, const std::uint32_t* items, std::size_t itemCount)
   {
     hasEvaluated_ = true;
-    samples_.forEach(part,
-      [&](const Eigen::Vector3d& position, const typename Samples::Name& sample)
-      {
-        names_[block_.count] = sample;
-        block_.set(block_.count++, position);
-        if (block_.count == SampleBlock::capacity)
+    if constexpr (areMoving)
+    {
+      work_ += samples_.settle(part, items, itemCount);
+    }
+    else
+    {
+      samples_.forEach(part,
+        [&](const Eigen::Vector3d& position, const typename Samples::Name& sample)
         {
-          this->writeBlock(items, itemCount);
-        }
-      });
-    this->writeBlock(items, itemCount);
+          names_[block_.count] = sample;
+          block_.set(block_.count++, position);
+          if (block_.count == SampleBlock::capacity)
+          {
+            this->writeBlock(items, itemCount);
+          }
+        });
+      this->writeBlock(items, itemCount);
+    }
   }
 
   void writeBlock(const std::uint32_t* items, std::size_t itemCount)

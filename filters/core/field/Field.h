@@ -214,6 +214,9 @@ public:
   /// Builds what distances need (DistanceTree.h), and keeps it, as prepare() does for values.
   void prepareDistances(Executor& executor) const;
 
+  /// Returns the tree that all distances are found with, which is made when it is first needed.
+  const DistanceTree& distanceTree(Executor& executor) const;
+
   /// Evaluates the samples of an extent of a grid.
   void evaluate(
     const Grid& grid, const Extent& extent, const FieldOutput& output, Executor& executor) const;
@@ -305,7 +308,6 @@ private:
   template <class EvaluateValues, class EvaluateDistances>
   void evaluateBoth(std::size_t samples, const FieldOutput& output, Executor& executor,
     const EvaluateValues& evaluateValues, const EvaluateDistances& evaluateDistances) const;
-  const DistanceTree& distanceTree(Executor& executor) const;
 
   mutable std::mutex distanceTreeLock_;
   mutable std::unique_ptr<const DistanceTree> distanceTree_; ///< made when it is first needed

@@ -218,36 +218,55 @@ LevelEdges::LevelEdges(const Field& field, const Grid& grid, InsideRule rule, do
 {
 }
 
-LevelEdges::LevelEdges(const std::vector<const LevelEdges*>& operands, BooleanOperation operation,
-  const Grid& grid, Executor& executor)
+LevelEdges::LevelEdges(const Grid& grid, bool withBorder, int layersAtOnce,
+  const LayerRuns& layerRuns, Executor& executor)
   : field_(nullptr)
   , grid_(grid)
-  , border_(operands.front()->border_)
+  , border_(withBorder ? 1 : 0)
   , starts_(this->lineOf(0, -border_, grid.dimensions[2] + border_) + 1, 0)
   , beginsInside_(starts_.size() / 3, 0)
 {
   const auto depth = static_cast<std::size_t>(grid.dimensions[2]);
   std::vector<Layer> layers(depth + 2, Layer(border_));
-  runBlocks(
-    depth, 1,
-    [&](std::size_t k, std::size_t, std::size_t)
+  const auto atOnce = static_cast<std::size_t>(layersAtOnce);
+  executor.run((depth + atOnce - 1) / atOnce,
+    [&](std::size_t task)
     {
-      std::vector<std::vector<RowRun>> rows(operands.size());
-      std::vector<RowRun> merged;
-      for (int j = 0; j < grid.dimensions[1]; ++j)
+      const auto first = task * atOnce, end = std::min(depth, first + atOnce);
+      const RowRuns rowRuns = layerRuns(static_cast<int>(first), static_cast<int>(end));
+      std::vector<RowRun> runs;
+      for (std::size_t k = first; k < end; ++k)
       {
-        for (std::size_t n = 0; n < operands.size(); ++n)
+        for (int j = 0; j < grid.dimensions[1]; ++j)
         {
-          operands[n]->findRuns(j, static_cast<int>(k), rows[n]);
+          rowRuns(j, static_cast<int>(k), runs);
+          layers[k + 1].addRow(runs, Layer::sideOf);
         }
-        mergeRuns(rows, operation, merged);
-        layers[k + 1].addRow(merged, Layer::sideOf);
       }
-    },
-    executor);
+    });
   this->addEdges(layers, nullptr, executor);
   nextLayer_ = grid.dimensions[2];
   this->endAfterLastLayer();
+}
+
+LevelEdges::LevelEdges(const std::vector<const LevelEdges*>& operands, BooleanOperation operation,
+  const Grid& grid, Executor& executor)
+  : LevelEdges(
+      grid, operands.front()->border_ > 0, 1,
+      [&operands, operation](int, int) -> RowRuns
+      {
+        return [&operands, operation, rows = std::vector<std::vector<RowRun>>(operands.size())](
+                 int j, int k, std::vector<RowRun>& merged) mutable
+        {
+          for (std::size_t n = 0; n < operands.size(); ++n)
+          {
+            operands[n]->findRuns(j, k, rows[n]);
+          }
+          mergeRuns(rows, operation, merged);
+        };
+      },
+      executor)
+{
 }
 
 LevelEdges::~LevelEdges() = default;
@@ -292,7 +311,6 @@ void LevelEdges::endAfterLastLayer()
     starts_.end(), static_cast<std::uint32_t>(edges_.size()));
 }
 
-/// Describes a row of the grid, without its border, as runs with value 1 inside and 0 outside.
 void LevelEdges::findRuns(int j, int k, std::vector<RowRun>& runs) const
 {
   const auto [first, last] = this->inRow(0, j, k);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -50,6 +51,19 @@ public:
   /// field and grid.
   LevelEdges(const Field& field, const Grid& grid, InsideRule rule, double threshold,
     bool withBorder, double slabBytes = usualSlabBytes);
+
+  /// Finds the runs of row (j, k) of a grid, without its border: they cover it, with value 1 inside
+  /// and 0 outside.
+  using RowRuns = std::function<void(int j, int k, std::vector<RowRun>& runs)>;
+
+  /// Finds the runs of the layers from `first` to `end` - 1, on any thread. The answer holds what
+  /// it needs.
+  using LayerRuns = std::function<RowRuns(int first, int end)>;
+
+  /// Takes the edges of a solid from the runs of its rows, `layersAtOnce` layers for a task. They
+  /// are done, and have no windings, values or sides. Throws Interrupted.
+  LevelEdges(const Grid& grid, bool withBorder, int layersAtOnce, const LayerRuns& layerRuns,
+    Executor& executor);
 
   /**
    * Takes the edges at which the result of an operation on solids changes: each operand has its own
@@ -99,6 +113,9 @@ public:
   /// Whether a sample, of the border too if there is one, is inside.
   bool isSampleInside(const std::array<int, 3>& sample) const;
 
+  /// Describes a row of the grid, without its border, as runs with value 1 inside and 0 outside.
+  void findRuns(int j, int k, std::vector<RowRun>& runs) const;
+
   /// The number of the edge from a sample along an axis; size() if the inside rule does not change
   /// there.
   std::size_t find(const std::array<int, 3>& sample, int axis) const;
@@ -137,14 +154,13 @@ private:
   double shareOf(int layers) const { return static_cast<double>(layers) / grid_.dimensions[2]; }
   int endOfNext() const;
 
-  void findRuns(int j, int k, std::vector<RowRun>& runs) const;
   void endAfterLastLayer();
   void addSides(const std::vector<SideCounts>& layers);
   void advanceByRuns(Executor& executor);
   void advanceBySamples(Executor& executor);
   void addEdges(const std::vector<Layer>& layers, const Slab* slab, Executor& executor);
 
-  const Field* field_; ///< null for operands
+  const Field* field_; ///< null unless the edges are a field's
   const Grid& grid_;
   InsideRule rule_ = InsideRule::signedThreshold;
   double threshold_ = 0;

@@ -1,9 +1,8 @@
 #include "level/CombinedRoots.h"
 
 #include "base/Executor.h"
-#include "level/LevelRoots.h"
-#include "support/FieldDistances.h"
 #include "support/ShuffledThreads.h"
+#include "support/SolidOnGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -12,37 +11,9 @@ namespace
 
 using namespace shapes;
 using winding::BooleanOperation;
-using winding::Field;
-using winding::InsideRule;
 
 constexpr BooleanOperation operations[] = {BooleanOperation::unite, BooleanOperation::intersect,
   BooleanOperation::subtract, BooleanOperation::exclude};
-
-/// Everything that an operand brings along.
-struct Part
-{
-  Part(const Mesh& mesh, const winding::Grid& grid, bool withBorder, winding::Executor& executor)
-    : field(fieldOf(mesh))
-    , edges(*field, grid, InsideRule::signedThreshold, 0.5, withBorder)
-    , roots(0)
-  {
-    while (!edges.isDone())
-    {
-      edges.advance(executor);
-    }
-    winding::LevelRoots found(
-      *field, grid, edges, InsideRule::signedThreshold, 0.5, 1e-3, executor);
-    while (!found.isDone())
-    {
-      found.advance(executor);
-    }
-    roots = found.take();
-  }
-
-  std::shared_ptr<const Field> field;
-  winding::LevelEdges edges;
-  winding::EdgeRoots roots;
-};
 
 struct Operands
 {
@@ -51,7 +22,7 @@ struct Operands
   {
     for (const Mesh& mesh : meshes)
     {
-      parts.push_back(std::make_unique<Part>(mesh, grid, withBorder, executor));
+      parts.push_back(std::make_unique<SolidOnGrid>(mesh, grid, withBorder, executor));
       edges.push_back(&parts.back()->edges);
       level.push_back({&parts.back()->edges, &parts.back()->roots});
     }
@@ -78,24 +49,10 @@ struct Operands
     }
   }
 
-  std::vector<std::unique_ptr<Part>> parts;
+  std::vector<std::unique_ptr<SolidOnGrid>> parts;
   std::vector<const winding::LevelEdges*> edges;
   std::vector<winding::LevelOperand> level;
 };
-
-winding::Grid gridOf(const Eigen::Vector3d& first, double spacing, const Eigen::Vector3i& samples)
-{
-  winding::Grid grid;
-  grid.firstSample = first;
-  grid.spacing = Eigen::Vector3d::Constant(spacing);
-  grid.dimensions = samples;
-  return grid;
-}
-
-Mesh moved(const Mesh& mesh, const Point& by)
-{
-  return mesh.mapped([&by](const Point& point) -> Point { return point + by; });
-}
 
 } // namespace
 
@@ -110,7 +67,7 @@ TEST(BooleanEdges, AreThoseOfEachSamplesOwnAnswer)
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::vector<Mesh> meshes = {surfaceOf(randomCells(3, seed)),
       surfaceOf(randomCells(3, seed + 1000)), moved(icosphere(2), {1.4, 1.3, 1.6})};
-    const winding::Grid grid = gridOf({0.25, -0.5, -0.5}, 0.25, {14, 17, 16});
+    const winding::Grid grid = gridOf({0.25, -0.5, -0.5}, Point::Constant(0.25), {14, 17, 16});
     for (const bool withBorder : {false, true})
     {
       const Operands operands(meshes, grid, withBorder, serial);
@@ -170,7 +127,7 @@ TEST(CombinedRoots, LieWhereTheAnswerChanges)
     const double shift = 0.01 * seed;
     const std::vector<Mesh> meshes = {icosphere(3), moved(icosphere(3), {0.3 + shift, 0.1, 0.2}),
       moved(cube(), {0.05 + shift, -0.4, 0.07})};
-    const winding::Grid grid = gridOf({-1.3, -1.31, -1.32}, 0.2, {17, 16, 15});
+    const winding::Grid grid = gridOf({-1.3, -1.31, -1.32}, Point::Constant(0.2), {17, 16, 15});
     const Operands operands(meshes, grid, false, serial);
     for (const BooleanOperation operation : operations)
     {
@@ -224,7 +181,7 @@ TEST(BooleanEdges, HaveNoSlivers)
   // Samples lie on the faces of the cubes, or do not.
   for (const double first : {-0.5, -0.46})
   {
-    const winding::Grid grid = gridOf(Eigen::Vector3d::Constant(first), 0.125, {40, 20, 20});
+    const winding::Grid grid = gridOf(Point::Constant(first), Point::Constant(0.125), {40, 20, 20});
     const Mesh one = cube(), next = cube({1, 0, 0}, {2, 1, 1}), both = cube({0, 0, 0}, {2, 1, 1});
     const auto sizeOf = [&](const std::vector<Mesh>& meshes, BooleanOperation operation)
     {

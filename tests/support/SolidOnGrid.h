@@ -1,0 +1,45 @@
+#pragma once
+
+#include "level/LevelRoots.h"
+#include "support/FieldDistances.h"
+#include "support/RowValues.h"
+
+#include <memory>
+
+namespace shapes
+{
+
+/// The solid of a mesh on a grid: its field, the edges that its surface crosses, and their roots.
+struct SolidOnGrid
+{
+  SolidOnGrid(
+    const Mesh& mesh, const winding::Grid& grid, bool withBorder, winding::Executor& executor)
+    : field(fieldOf(mesh))
+    , edges(*field, grid, winding::InsideRule::signedThreshold, 0.5, withBorder)
+    , roots(0)
+  {
+    while (!edges.isDone())
+    {
+      edges.advance(executor);
+    }
+    winding::LevelRoots found(
+      *field, grid, edges, winding::InsideRule::signedThreshold, 0.5, 1e-3, executor);
+    while (!found.isDone())
+    {
+      found.advance(executor);
+    }
+    found.addGradients(executor);
+    roots = found.take();
+  }
+
+  std::shared_ptr<const winding::Field> field;
+  winding::LevelEdges edges;
+  winding::EdgeRoots roots;
+};
+
+inline Mesh moved(const Mesh& mesh, const Point& by)
+{
+  return mesh.mapped([&by](const Point& point) -> Point { return point + by; });
+}
+
+} // namespace shapes
