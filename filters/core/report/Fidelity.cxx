@@ -113,6 +113,11 @@ std::string inWords(const Fidelity& fidelity)
   }
   text << "; " << fidelity.lostComponents << " of " << fidelity.components << " parts lost; "
        << fidelity.selfIntersections << " self-intersections";
+  if (!std::isnan(fidelity.largestShapeError))
+  {
+    text << "\noff the distance that is asked for max " << fidelity.largestShapeError << ", mean "
+         << fidelity.meanShapeError;
+  }
   return text.str();
 }
 
@@ -135,7 +140,7 @@ double bytesForComparison(const Field& field, double triangles, double samples)
 
 Fidelity compareWithSource(const Field& field, const std::vector<Eigen::Vector3d>& vertices,
   const TriangleList& triangles, double voxel, std::size_t samples, unsigned seed,
-  Executor& executor)
+  Executor& executor, const WantedDistances* wanted)
 {
   Fidelity result;
   const Surface* const source = field.surface();
@@ -154,7 +159,8 @@ Fidelity compareWithSource(const Field& field, const std::vector<Eigen::Vector3d
   const DistanceTree tree(surface, executor);
   if (source != nullptr && !source->triangles.empty())
   {
-    countComponents(*source, tree, 0.5 * voxel, result, executor);
+    const double moved = wanted ? wanted->band.farthest() : 0;
+    countComponents(*source, tree, moved + 0.5 * voxel, result, executor);
   }
   if (triangles.empty() || field.info().primitives == 0)
   {
@@ -168,6 +174,17 @@ Fidelity compareWithSource(const Field& field, const std::vector<Eigen::Vector3d
     result.meanFromSource);
   setStatistics(
     field.distances(viewOf(ofSurface), executor), result.largestToSource, result.meanToSource);
+  if (wanted)
+  {
+    std::vector<double> errors = distancesFrom(*wanted->from, viewOf(ofSurface), executor);
+    for (double& error : errors)
+    {
+      error = std::min(std::abs(error - std::abs(wanted->band.low)),
+        std::abs(error - std::abs(wanted->band.high)));
+    }
+    result.largestShapeError = result.meanShapeError = 0;
+    setStatistics(errors, result.largestShapeError, result.meanShapeError);
+  }
   return result;
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "base/SolidShape.h"
+#include "distance/DistanceTree.h"
 #include "field/Field.h"
 #include "source/Surface.h"
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -26,9 +29,21 @@ struct Fidelity
   std::size_t components = 0;        ///< connected parts of the source; 0 for a cloud
   std::size_t lostComponents = 0;    ///< those that the surface has nothing of
   std::size_t selfIntersections = 0; ///< as SelfIntersections.h counts them in the surface
+  ///@{
+  /// By how much points of the surface are off the distances that are wanted; NaN for none.
+  double largestShapeError = std::numeric_limits<double>::quiet_NaN();
+  double meanShapeError = std::numeric_limits<double>::quiet_NaN();
+  ///@}
 };
 
-/// Says in two lines for people what was found.
+/// Distances that a surface is to have: the limits of a band about what is in a tree.
+struct WantedDistances
+{
+  const DistanceTree* from;
+  DistanceBand band;
+};
+
+/// Says in two lines for people what was found, and in a third one how far distances are off.
 std::string inWords(const Fidelity& fidelity);
 
 /// Estimates the memory of a comparison with a surface of `triangles` triangles, in bytes.
@@ -41,15 +56,19 @@ double bytesForComparison(const Field& field, double triangles, double samples);
  * largest is the samples', so a narrow spike may be missed.
  *
  * A part of the source is lost if no corner and no middle of its triangles is as near to the
- * surface as half of `voxel`: it is smaller than the voxels see, or lies inside of another part.
+ * surface as half of `voxel`, and the farthest of the `wanted` distances: it is smaller than the
+ * voxels see, or lies inside of another part.
  * Parts are defined in Components.h. The volume of a source with solids that overlap counts what
  * they have in common as often as they do.
+ *
+ * The points of the surface are compared with the `wanted` distances, unless these are null. The
+ * nearer one of a band's limits counts.
  *
  * Time: a distance for each sample and triangle, and of counting self-intersections. Throws
  * Interrupted.
  */
 Fidelity compareWithSource(const Field& field, const std::vector<Eigen::Vector3d>& vertices,
   const TriangleList& triangles, double voxel, std::size_t samples, unsigned seed,
-  Executor& executor);
+  Executor& executor, const WantedDistances* wanted = nullptr);
 
 } // namespace winding

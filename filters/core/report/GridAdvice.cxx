@@ -66,8 +66,17 @@ void refuseFlatGrid(const Grid& grid)
   {
     if (grid.dimensions[axis] < 2)
     {
-      throw Refusal(Message(std::string("the grid has one voxel along ") + "xyz"[axis],
-        {smallerVoxels(), {"choose more padding", {Parameter::padding}}},
+      throw Refusal(Message(
+        std::string("the grid has one voxel along ") + "xyz" [axis],
+        {
+          smallerVoxels(),
+          {
+            "choose more padding",
+            {
+              Parameter::padding
+            }
+          }
+        },
         "a surface needs two or more"));
     }
   }
@@ -84,6 +93,23 @@ Message emptyResultAdvice()
 {
   return Message("nothing is inside of the result, so the surface is empty",
     {{"see whether the solids meet", {}}, smallerVoxels()});
+}
+
+std::optional<Message> shapeAdvice(const Grid& grid, const SolidShape& shape, bool isEmpty)
+{
+  if (shape.shell > 0 && shape.shell < grid.spacing.maxCoeff())
+  {
+    char facts[80];
+    std::snprintf(facts, sizeof facts, "voxels are %.3g long", grid.spacing.maxCoeff());
+    return Message("the shell is thinner than a voxel, so it has holes",
+      {smallerVoxels(), {"choose a thicker shell", {Parameter::shell}}}, facts);
+  }
+  if (isEmpty && shape.hasDistances())
+  {
+    return Message("nothing is left of the solid, so the surface is empty",
+      {{"move its surface less far inward", {Parameter::offset}}, smallerVoxels()});
+  }
+  return std::nullopt;
 }
 
 bool missesSource(const Grid& grid, const Bounds& source)

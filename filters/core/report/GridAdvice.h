@@ -2,6 +2,7 @@
 
 #include "base/Bounds.h"
 #include "base/Message.h"
+#include "base/SolidShape.h"
 #include "report/ThinParts.h"
 #include "source/Grid.h"
 
@@ -35,6 +36,9 @@ Message allInsideAdvice();
 
 /// The warning for an operation on solids that leaves nothing.
 Message emptyResultAdvice();
+
+/// Returns what to do about the shape of a solid that leaves nothing, or is too thin for the grid.
+std::optional<Message> shapeAdvice(const Grid& grid, const SolidShape& shape, bool isEmpty);
 
 /// Returns the remedy for sources that reach the threshold nowhere.
 inline Remedy lowerThreshold()

@@ -1,0 +1,193 @@
+#include "level/FilledCavities.h"
+
+#include "base/DisjointSets.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace winding
+{
+
+namespace
+{
+
+/// The runs of outside samples of a grid's rows, and which of them are cavities.
+class OutsideRuns
+{
+public:
+  OutsideRuns(const LevelEdges& solid, const Grid& grid)
+    : dimensions_(grid.dimensions)
+    , sets_(this->findRuns(solid))
+  {
+    for (int k = 0; k < dimensions_[2]; ++k)
+    {
+      for (int j = 0; j < dimensions_[1]; ++j)
+      {
+        if (j > 0)
+        {
+          this->unite(this->rowOf(j, k), this->rowOf(j - 1, k));
+        }
+        if (k > 0)
+        {
+          this->unite(this->rowOf(j, k), this->rowOf(j, k - 1));
+        }
+      }
+    }
+    this->findCavities();
+  }
+
+  /// The number of cavities.
+  std::size_t cavities() const { return cavities_; }
+
+  /// Sets the runs of a row with value 0 to 1 where they are in cavities, and joins equal ones.
+  void fill(int j, int k, std::vector<RowRun>& runs) const
+  {
+    std::size_t outside = starts_[this->rowOf(j, k)];
+    std::size_t last = 0;
+    for (std::size_t n = 0; n < runs.size(); ++n)
+    {
+      RowRun run = runs[n];
+      if (run.value == 0)
+      {
+        run.value = isCavity_[outside++] != 0;
+      }
+      if (n > 0 && runs[last].value == run.value)
+      {
+        runs[last].end = run.end;
+      }
+      else
+      {
+        last = n > 0 ? last + 1 : 0;
+        runs[last] = run;
+      }
+    }
+    runs.resize(last + 1);
+  }
+
+private:
+  struct Run
+  {
+    int begin, end;
+  };
+
+  std::size_t rowOf(int j, int k) const
+  {
+    return static_cast<std::size_t>(k) * static_cast<std::size_t>(dimensions_[1]) +
+           static_cast<std::size_t>(j);
+  }
+
+  /// Finds all runs, and returns a set for each.
+  DisjointSets findRuns(const LevelEdges& solid)
+  {
+    std::vector<RowRun> runs;
+    for (int k = 0; k < dimensions_[2]; ++k)
+    {
+      for (int j = 0; j < dimensions_[1]; ++j)
+      {
+        starts_.push_back(runs_.size());
+        solid.findRuns(j, k, runs);
+        for (const RowRun& run : runs)
+        {
+          if (run.value == 0)
+          {
+            runs_.push_back({run.begin, run.end});
+          }
+        }
+      }
+    }
+    starts_.push_back(runs_.size());
+    return DisjointSets(runs_.size());
+  }
+
+  /// Unites the runs of two rows that have samples next to each other.
+  void unite(std::size_t a, std::size_t b)
+  {
+    for (std::size_t m = starts_[a], n = starts_[b]; m < starts_[a + 1] && n < starts_[b + 1];)
+    {
+      if (std::max(runs_[m].begin, runs_[n].begin) < std::min(runs_[m].end, runs_[n].end))
+      {
+        sets_.unite(static_cast<std::int32_t>(m), static_cast<std::int32_t>(n));
+      }
+      ++(runs_[m].end < runs_[n].end ? m : n);
+    }
+  }
+
+  void findCavities()
+  {
+    std::vector<char> isReached(runs_.size(), 0);
+    const auto setOf = [this](std::size_t run)
+    {
+      return static_cast<std::size_t>(sets_.find(static_cast<std::int32_t>(run)));
+    };
+    for (int k = 0; k < dimensions_[2]; ++k)
+    {
+      for (int j = 0; j < dimensions_[1]; ++j)
+      {
+        const bool isAtBorder =
+          j == 0 || j == dimensions_[1] - 1 || k == 0 || k == dimensions_[2] - 1;
+        const std::size_t row = this->rowOf(j, k);
+        for (std::size_t n = starts_[row]; n < starts_[row + 1]; ++n)
+        {
+          if (isAtBorder || runs_[n].begin == 0 || runs_[n].end == dimensions_[0])
+          {
+            isReached[setOf(n)] = 1;
+          }
+        }
+      }
+    }
+    isCavity_.resize(runs_.size());
+    for (std::size_t n = 0; n < runs_.size(); ++n)
+    {
+      isCavity_[n] = isReached[setOf(n)] == 0;
+      cavities_ += isCavity_[n] != 0 && setOf(n) == n;
+    }
+  }
+
+  Eigen::Vector3i dimensions_;
+  std::vector<Run> runs_;
+  std::vector<std::size_t> starts_; ///< first run of each row, and one behind the last
+  DisjointSets sets_;
+  std::vector<char> isCavity_;
+  std::size_t cavities_ = 0;
+};
+
+/// Takes the roots of edges that another solid has, too.
+EdgeRoots rootsOf(
+  const LevelEdges& edges, const LevelEdges& solid, const EdgeRoots& solidRoots, Executor& executor)
+{
+  EdgeRoots roots(edges.size());
+  forEachItem(
+    edges.size(),
+    [&](std::size_t n)
+    {
+      const std::size_t found = solid.find(edges[n].sample, edges[n].axis);
+      roots.fractions[n] = solidRoots.fractions[found];
+      roots.normals[n] = solidRoots.normals[found];
+    },
+    executor);
+  return roots;
+}
+
+} // namespace
+
+FilledCavities::FilledCavities(
+  const LevelEdges& solid, const EdgeRoots& solidRoots, const Grid& grid, Executor& executor)
+  : count(0)
+  , edges(
+      [&]
+      {
+        const OutsideRuns outside(solid, grid);
+        count = outside.cavities();
+        const auto rowRuns = [&](int j, int k, std::vector<RowRun>& runs)
+        {
+          solid.findRuns(j, k, runs);
+          outside.fill(j, k, runs);
+        };
+        return LevelEdges(
+          grid, solid.border() > 0, 1, [&](int, int) { return rowRuns; }, executor);
+      }())
+  , roots(rootsOf(edges, solid, solidRoots, executor))
+{
+}
+
+} // namespace winding
