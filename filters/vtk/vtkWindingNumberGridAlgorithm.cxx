@@ -232,11 +232,19 @@ void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes(vtkInformation* outIn
 /// Finds the bounds that UseInputBounds lays the grid over; returns whether there are any.
 bool vtkWindingNumberGridAlgorithm::GetBoundsOfGrid(vtkDataObject* source, double bounds[6])
 {
-  if (this->BoundsOfTimes.empty())
+  if (!this->BoundsOfTimes.empty())
   {
-    return this->GetSourceBounds(source, bounds);
+    std::copy(this->BoundsOfTimes.begin(), this->BoundsOfTimes.end(), bounds);
   }
-  std::copy(this->BoundsOfTimes.begin(), this->BoundsOfTimes.end(), bounds);
+  else if (!this->GetSourceBounds(source, bounds))
+  {
+    return false;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds[2 * axis] -= this->GetReachBeyondSource();
+    bounds[2 * axis + 1] += this->GetReachBeyondSource();
+  }
   return true;
 }
 

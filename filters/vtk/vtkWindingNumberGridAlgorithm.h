@@ -194,6 +194,10 @@ protected:
   /// Whether voxels that the source touches could count as inside, but do not.
   virtual bool MayTouchVoxels() const { return false; }
 
+  /// Returns by how much the result reaches beyond the source: the grid over the source's bounds
+  /// grows by this length on all sides.
+  virtual double GetReachBeyondSource() const { return 0; }
+
   /// Throws a refusal if samples are to be verified and cannot be; `hasValues` says whether there
   /// will be an array of w.
   void CheckVerification(bool hasValues) const;

@@ -3,6 +3,7 @@
 #include "base/Executor.h"
 #include "field/Field.h"
 #include "level/EdgeRoots.h"
+#include "level/ShapedSolid.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
 #include "private/output/ResultArrays.h"
@@ -14,10 +15,14 @@
 #include "private/source/SourceProperties.h"
 #include "report/GridAdvice.h"
 
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 #include <string>
 
@@ -27,6 +32,9 @@ void vtkWindingNumberSurface::CheckProperties()
 {
   this->Superclass::CheckProperties();
   winding::checkProperty(winding::Parameter::fidelitySamples, this->FidelitySamples);
+  winding::checkProperty(winding::Parameter::offset, this->Offset);
+  winding::checkProperty(winding::Parameter::shell, this->Shell);
+  winding::checkProperty(winding::Parameter::shellSide, this->ShellSide);
 }
 
 const char* vtkWindingNumberSurface::GetFidelityInWords() const
@@ -39,6 +47,25 @@ void vtkWindingNumberSurface::HashProperties(winding::ContentHash& hash)
   this->Superclass::HashProperties(hash);
   hash.addValue(this->FidelitySamples);
   hash.addValue(this->GenerateDistanceToInput);
+  hash.addValue(this->FillCavities);
+  hash.addValue(this->Offset);
+  hash.addValue(this->Shell);
+  hash.addValue(this->ShellSide);
+}
+
+winding::SolidShape vtkWindingNumberSurface::GetShape() const
+{
+  winding::SolidShape shape;
+  shape.fillsCavities = this->FillCavities != 0;
+  shape.offset = this->Offset;
+  shape.shell = this->Shell;
+  shape.shellSide = static_cast<winding::ShellSide>(this->ShellSide);
+  return shape;
+}
+
+double vtkWindingNumberSurface::GetReachBeyondSource() const
+{
+  return this->GetShape().reach();
 }
 
 int vtkWindingNumberSurface::RequestData(
@@ -64,9 +91,9 @@ int vtkWindingNumberSurface::RequestData(
   {
     return 1;
   }
-  this->MakeSurface(field, output);
+  const auto surfaceTree = this->MakeSurface(field, output);
   this->DescribeMethod(output);
-  this->CompareWithSource(field, output);
+  this->CompareWithSource(field, surfaceTree.get(), output);
   this->VerifyWholeGrid(field);
   return 1;
 }
@@ -74,7 +101,15 @@ int vtkWindingNumberSurface::RequestData(
 std::size_t vtkWindingNumberSurface::GetAdditionalBytes(const winding::Field& field, vtkIdType)
 {
   double edges = 0;
-  auto bytes = static_cast<std::size_t>(this->GetBytesOfSurface(field, edges));
+  double ofSurface = this->GetBytesOfSurface(field, edges);
+  const double ofShape =
+    winding::ShapedSolid::bytesFor(field, this->GetSampling(), this->GetShape(), edges);
+  if (ofShape > 0)
+  {
+    ofSurface += ofShape;
+    winding::refuseBeyondFreeMemory(ofSurface, "the surface", {winding::largerVoxels()});
+  }
+  auto bytes = static_cast<std::size_t>(ofSurface);
   if (this->FidelitySamples > 0)
   {
     // The surface has about two triangles for each edge of the grid that it crosses.
@@ -91,8 +126,11 @@ std::size_t vtkWindingNumberSurface::GetAdditionalBytes(const winding::Field& fi
   return bytes;
 }
 
-void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyData* output)
+/// Returns the tree of the surface that distances are measured from, or null.
+std::shared_ptr<const winding::DistanceTree> vtkWindingNumberSurface::MakeSurface(
+  const winding::Field& field, vtkPolyData* output)
 {
+  std::shared_ptr<const winding::DistanceTree> surfaceTree;
   const winding::Grid& grid = this->GetSampling();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   this->Evaluate(field, static_cast<vtkIdType>(winding::sampleCount(grid.wholeExtent())), executor,
@@ -107,19 +145,60 @@ void vtkWindingNumberSurface::MakeSurface(const winding::Field& field, vtkPolyDa
           return edges.isSampleInside({i, j, k});
         });
       winding::EdgeRoots roots(0);
-      this->MakePolyData(
-        edges,
-        [&]() -> const winding::EdgeRoots&
-        {
-          roots = this->FindRoots(field, edges, executor);
-          return roots;
-        },
-        nullptr, executor, output);
+      const auto findRoots = [&]() -> const winding::EdgeRoots&
+      {
+        roots = this->FindRoots(field, edges, executor);
+        return roots;
+      };
+      const winding::SolidShape shape = this->GetShape();
+      if (shape.isPlain())
+      {
+        this->MakePolyData(edges, findRoots, nullptr, executor, output);
+      }
+      else
+      {
+        findRoots();
+        const winding::ShapedSolid shaped(field, grid, winding::coreInsideRule(this->InsideRule),
+          this->WindingThreshold, edges, roots, shape, this->Features == SHARP, executor);
+        this->MakePolyData(
+          shaped.edges(), [&]() -> const winding::EdgeRoots& { return shaped.roots(); }, nullptr,
+          executor, output);
+        this->TellShape(shaped, output);
+        surfaceTree = shaped.surfaceTree();
+      }
       this->UpdateProgress(1);
     });
+  return surfaceTree;
 }
 
-void vtkWindingNumberSurface::CompareWithSource(const winding::Field& field, vtkPolyData* output)
+/// Adds to the field data of the output how its shape came about, and warns of what it lost.
+void vtkWindingNumberSurface::TellShape(const winding::ShapedSolid& shaped, vtkPolyData* output)
+{
+  const winding::SolidShape shape = this->GetShape();
+  if (shape.fillsCavities)
+  {
+    vtkNew<vtkIntArray> cavities;
+    cavities->SetName("FilledCavities");
+    cavities->InsertNextValue(static_cast<int>(shaped.cavities()));
+    output->GetFieldData()->AddArray(cavities);
+  }
+  if (shape.hasDistances())
+  {
+    vtkNew<vtkStringArray> base;
+    base->SetName("DistancesFrom");
+    base->InsertNextValue(shaped.base() == winding::DistanceBase::source ? "source" : "surface");
+    output->GetFieldData()->AddArray(base);
+    const auto advice =
+      winding::shapeAdvice(this->GetSampling(), shape, shaped.edges().size() == 0);
+    if (advice)
+    {
+      vtkWarningMacro(<< winding::lineOf(*advice));
+    }
+  }
+}
+
+void vtkWindingNumberSurface::CompareWithSource(
+  const winding::Field& field, const winding::DistanceTree* surfaceTree, vtkPolyData* output)
 {
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   executor.setShare(1, 1);
@@ -129,9 +208,15 @@ void vtkWindingNumberSurface::CompareWithSource(const winding::Field& field, vtk
   }
   if (this->FidelitySamples > 0)
   {
-    this->FidelityInWords =
-      winding::inWords(winding::addFidelity(field, this->GetSampling().spacing.maxCoeff(),
-        static_cast<std::size_t>(this->FidelitySamples), output, executor));
+    const winding::SolidShape shape = this->GetShape();
+    winding::WantedDistances wanted = {surfaceTree, shape.band()};
+    if (shape.hasDistances() && !wanted.from)
+    {
+      wanted.from = &field.distanceTree(executor);
+    }
+    this->FidelityInWords = winding::inWords(winding::addFidelity(field,
+      this->GetSampling().spacing.maxCoeff(), static_cast<std::size_t>(this->FidelitySamples),
+      shape.hasDistances() ? &wanted : nullptr, output, executor));
   }
 }
 
@@ -155,6 +240,10 @@ void vtkWindingNumberSurface::VerifyWholeGrid(const winding::Field& field)
 void vtkWindingNumberSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "FillCavities: " << this->FillCavities << "\n";
+  os << indent << "Offset: " << this->Offset << "\n";
+  os << indent << "Shell: " << this->Shell << "\n";
+  os << indent << "ShellSide: " << this->ShellSide << "\n";
   os << indent << "GenerateDistanceToInput: " << this->GenerateDistanceToInput << "\n";
   os << indent << "FidelitySamples: " << this->FidelitySamples << "\n";
   os << indent << "FidelityInWords: " << this->FidelityInWords << "\n";

@@ -15,6 +15,13 @@
  * How the surface is made, smooth or sharp, is vtkWindingNumberSurfaceAlgorithm's. The field of a
  * source that is not closed is kept as a whole only to be verified.
  *
+ * **Offsets and shells.** FillCavities, Offset and Shell change the solid, in this order, before
+ * its surface is made. Vertices of a smooth surface lie at the exact distance. It is measured from
+ * the source's triangles where all of them bound the solid, and for a centered shell of any open
+ * surface. In all other cases it is measured from the surface that the filter makes without Offset
+ * and Shell: of clouds, of solids that overlap, of cavities that are filled, of holes that w
+ * closes. The field data say which, as string array "DistancesFrom": "source" or "surface".
+ *
  * Errors, each one line through vtkErrorMacro, are vtkWindingNumberField's, and grids with
  * only one voxel along an axis.
  *
@@ -25,7 +32,15 @@
 
 #include "vtkWindingNumberSurfaceAlgorithm.h"
 
+#include <memory>
 #include <string>
+
+namespace winding
+{
+class DistanceTree;
+class ShapedSolid;
+struct SolidShape;
+} // namespace winding
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberSurface : public vtkWindingNumberSurfaceAlgorithm
 {
@@ -33,6 +48,46 @@ public:
   static vtkWindingNumberSurface* New();
   vtkTypeMacro(vtkWindingNumberSurface, vtkWindingNumberSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Whether what the outside does not reach is inside, as in a hollow scan. The outside spreads
+  /// from the border of the grid along its axes, from sample to sample, so gaps narrower than a
+  /// voxel may be closed. The field data get the number of cavities as int array "FilledCavities".
+  /// Default off.
+  vtkSetMacro(FillCavities, vtkTypeBool);
+  vtkGetMacro(FillCavities, vtkTypeBool);
+  vtkBooleanMacro(FillCavities, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// How far the surface moves outward, inward if negative, as a length in the source's unit: it is
+  /// the level set of the signed distance. Convex edges become round outward and stay sharp inward.
+  /// The grid over the source's bounds grows with it. Default 0.
+  vtkSetMacro(Offset, double);
+  vtkGetMacro(Offset, double);
+  ///@}
+
+  ///@{
+  /// The thickness of the shell that replaces the solid, as a length in the source's unit; 0, the
+  /// default, for no shell. A shell thinner than a voxel has holes, and a warning says so.
+  vtkSetMacro(Shell, double);
+  vtkGetMacro(Shell, double);
+  ///@}
+
+  /// The sides of the surface that a shell lies on.
+  enum ShellSideType
+  {
+    INWARD = 0,
+    OUTWARD = 1,
+    CENTERED = 2 ///< half of the thickness on either side; with its rim, where the source is open
+  };
+
+  ///@{
+  /// The side of the surface, once moved by Offset, that the shell lies on. CENTERED thickens an
+  /// open source as a sheet, unless Offset or FillCavities is set. Default INWARD.
+  vtkSetMacro(ShellSide, int);
+  vtkGetMacro(ShellSide, int);
+  ///@}
 
   ///@{
   /// Whether to add distances from the source, point array "DistanceToInput", as active scalars,
@@ -56,14 +111,16 @@ public:
    * - `InputVolume`, NaN for a source that is not a closed surface, and `Volume`;
    * - `InputComponents`, and `LostComponents`, those which the surface has nothing of: they are
    *   smaller than voxels see, or lie inside of others;
-   * - `SelfIntersections`: pairs of the surface's triangles that pass through each other.
+   * - `SelfIntersections`: pairs of the surface's triangles that pass through each other;
+   * - `LargestShapeError`, `MeanShapeError`, with Offset or Shell only: by how much points of the
+   *   surface are off the distance that these ask for.
    */
   vtkSetMacro(FidelitySamples, int);
   vtkGetMacro(FidelitySamples, int);
   ///@}
 
-  /// Returns what the last execution measured by FidelitySamples, in two lines for people, and ""
-  /// if it measured nothing.
+  /// Returns what the last execution measured by FidelitySamples, in two or three lines for people,
+  /// and "" if it measured nothing.
   const char* GetFidelityInWords() const;
 
 protected:
@@ -78,13 +135,22 @@ protected:
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
   std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
+  double GetReachBeyondSource() const override;
 
+  vtkTypeBool FillCavities = 0;
+  double Offset = 0;
+  double Shell = 0;
+  int ShellSide = INWARD;
   vtkTypeBool GenerateDistanceToInput = 0;
   int FidelitySamples = 0;
 
 private:
-  void MakeSurface(const winding::Field& field, vtkPolyData* output);
-  void CompareWithSource(const winding::Field& field, vtkPolyData* output);
+  winding::SolidShape GetShape() const;
+  void TellShape(const winding::ShapedSolid& shaped, vtkPolyData* output);
+  std::shared_ptr<const winding::DistanceTree> MakeSurface(
+    const winding::Field& field, vtkPolyData* output);
+  void CompareWithSource(const winding::Field& field, const winding::DistanceTree* surfaceTree,
+    vtkPolyData* output);
   void VerifyWholeGrid(const winding::Field& field);
 
   std::string FidelityInWords;

@@ -77,8 +77,8 @@ void refuseFidelityBeyondFreeMemory(const Field& field, double triangles, std::s
     {{"draw fewer points", {Parameter::fidelitySamples}}, largerVoxels()});
 }
 
-Fidelity addFidelity(
-  const Field& field, double voxel, std::size_t samples, vtkPolyData* surface, Executor& executor)
+Fidelity addFidelity(const Field& field, double voxel, std::size_t samples,
+  const WantedDistances* wanted, vtkPolyData* surface, Executor& executor)
 {
   // A polygon of n corners is cut into n - 2 triangles.
   const vtkIdType triangles =
@@ -91,8 +91,8 @@ Fidelity addFidelity(
     vertices[n] = points[n];
   }
   constexpr unsigned seed = 1;
-  const Fidelity fidelity =
-    compareWithSource(field, vertices, trianglesOf(surface), voxel, samples, seed, executor);
+  const Fidelity fidelity = compareWithSource(
+    field, vertices, trianglesOf(surface), voxel, samples, seed, executor, wanted);
   const auto add = [surface](const char* name, double value)
   {
     vtkNew<vtkDoubleArray> array;
@@ -109,6 +109,11 @@ Fidelity addFidelity(
   add("InputComponents", static_cast<double>(fidelity.components));
   add("LostComponents", static_cast<double>(fidelity.lostComponents));
   add("SelfIntersections", static_cast<double>(fidelity.selfIntersections));
+  if (wanted)
+  {
+    add("LargestShapeError", fidelity.largestShapeError);
+    add("MeanShapeError", fidelity.meanShapeError);
+  }
   return fidelity;
 }
 

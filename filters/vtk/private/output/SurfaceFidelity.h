@@ -18,8 +18,8 @@ void addDistances(const Field& field, vtkPolyData* surface, Executor& executor);
 /// Compares a surface with the source of a field, adds what is found to the field data of the
 /// surface, and returns it. vtkWindingNumberSurface says which arrays these are. Polygons are taken
 /// as fans from their first corner. Throws Interrupted, and OutOfMemory as the next function does.
-Fidelity addFidelity(
-  const Field& field, double voxel, std::size_t samples, vtkPolyData* surface, Executor& executor);
+Fidelity addFidelity(const Field& field, double voxel, std::size_t samples,
+  const WantedDistances* wanted, vtkPolyData* surface, Executor& executor);
 
 /// Throws OutOfMemory if there is not enough memory to compare a surface of `triangles` triangles.
 void refuseFidelityBeyondFreeMemory(const Field& field, double triangles, std::size_t samples);
