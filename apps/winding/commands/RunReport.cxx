@@ -26,7 +26,8 @@ constexpr const char* lengths[][2] = {{"largest_distance_from_input", "LargestDi
   {"mean_distance_from_input", "MeanDistanceFromInput"},
   {"largest_distance_to_input", "LargestDistanceToInput"},
   {"mean_distance_to_input", "MeanDistanceToInput"}, {"input_volume", "InputVolume"},
-  {"volume", "Volume"}};
+  {"volume", "Volume"}, {"largest_shape_error", "LargestShapeError"},
+  {"mean_shape_error", "MeanShapeError"}};
 
 constexpr const char* counts[][2] = {{"input_components", "InputComponents"},
   {"lost_components", "LostComponents"}, {"self_intersections", "SelfIntersections"}};
@@ -105,6 +106,10 @@ void RunReport::takeFidelity(vtkPolyData* surface)
   }
   for (const auto& [key, name] : lengths)
   {
+    if (!surface->GetFieldData()->HasArray(name))
+    {
+      continue; // without an offset and a shell there is no shape
+    }
     const double value = valueOf(name);
     fidelity_[key] = std::isfinite(value) ? Json(value) : Json(nullptr);
   }
@@ -350,6 +355,15 @@ std::string RunReport::summary(const Json& report) const
     text += ": " + (output_.contains("points")
                        ? output_["points"].dump() + " points, " + output_["cells"].dump() + " faces"
                        : output_["cells"].dump() + " cells");
+    if (output_.contains("filled_cavities"))
+    {
+      text += ", " + output_["filled_cavities"].dump() + " cavities filled";
+    }
+    if (output_.contains("distances_from"))
+    {
+      const bool isSource = output_["distances_from"] == "source";
+      text += isSource ? ", distances from the input" : ", distances from the surface of its solid";
+    }
   }
   return text;
 }

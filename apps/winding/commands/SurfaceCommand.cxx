@@ -39,6 +39,10 @@ void writeSurface(
 void runSurface(const Options& options, Messages& messages)
 {
   vtkNew<vtkWindingNumberSurface> filter;
+  filter->SetFillCavities(options.fillCavities);
+  filter->SetOffset(options.offset);
+  filter->SetShell(options.shell);
+  filter->SetShellSide(options.shellSide);
   filter->SetGenerateDistanceToInput(options.distance);
   filter->SetFidelitySamples(options.fidelity);
   writeSurface(*filter, options, messages);

@@ -11,12 +11,14 @@
 #include "program/ParallelRun.h"
 #include "program/Progress.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkVariant.h"
 
 #include <functional>
 
@@ -118,8 +120,18 @@ void writeResult(FieldRun& run, vtkPolyData* surface, OutputFile* file)
     [&]
     {
       writeSurface(surface, *file, run.messages());
-      run.report().setOutput({{"file", file->name()}, {"points", surface->GetNumberOfPoints()},
-        {"cells", surface->GetNumberOfCells()}});
+      Json output = {{"file", file->name()}, {"points", surface->GetNumberOfPoints()},
+        {"cells", surface->GetNumberOfCells()}};
+      vtkFieldData* const facts = surface->GetFieldData();
+      if (vtkDataArray* cavities = facts->GetArray("FilledCavities"))
+      {
+        output["filled_cavities"] = static_cast<int>(cavities->GetTuple1(0));
+      }
+      if (vtkAbstractArray* from = facts->GetAbstractArray("DistancesFrom"))
+      {
+        output["distances_from"] = from->GetVariantValue(0).ToString();
+      }
+      run.report().setOutput(output);
       run.report().takeFidelity(surface);
     });
 }

@@ -74,6 +74,7 @@ void addSurface(CLI::App& app, Options& options)
   addOutput(surface, options, surfaceFormats);
   addThreshold(surface, options);
   addFeatures(surface, options);
+  addShape(surface, options);
   addComparison(surface, options);
   addFieldOptions(surface, options);
   addThreads(surface, options);

@@ -334,6 +334,33 @@ void addFeatures(CLI::App* command, Options& options)
     ->group("Output");
 }
 
+void addShape(CLI::App* command, Options& options)
+{
+  command
+    ->add_flag("--fill-cavities", options.fillCavities,
+      "Make inside what the outside does not reach, as in a hollow scan")
+    ->group("Output");
+  command
+    ->add_option("--offset", options.offset,
+      "Move the surface outward by this length, inward if it is negative")
+    ->type_name("LENGTH")
+    ->group("Output");
+  command
+    ->add_option("--shell", options.shell,
+      "Make a shell of this thickness about the surface, in place of the "
+      "solid")
+    ->type_name("LENGTH")
+    ->group("Output");
+  command
+    ->add_option("--shell-side", options.shellSide,
+      "The side of the surface that the shell lies on: inward | outward | centered (inward)")
+    ->transform(oneOf(
+      {{"inward", vtkWindingNumberSurface::INWARD}, {"outward", vtkWindingNumberSurface::OUTWARD},
+        {"centered", vtkWindingNumberSurface::CENTERED}}))
+    ->type_name("NAME")
+    ->group("Output");
+}
+
 void addComparison(CLI::App* command, Options& options)
 {
   command

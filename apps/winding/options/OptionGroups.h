@@ -58,6 +58,7 @@ void addThreshold(CLI::App* command, Options& options);
 void addFeatures(CLI::App* command, Options& options);
 
 /// Adds how a surface is compared with its source.
+void addShape(CLI::App* command, Options& options);
 void addComparison(CLI::App* command, Options& options);
 void addCoverage(CLI::App* command, Options& options);
 void addDistance(CLI::App* command, Options& options);

@@ -60,6 +60,10 @@ struct Options
   int features = 0;
   bool triangles = false;
   bool closeBorder = false;
+  bool fillCavities = false;
+  double offset = 0;
+  double shell = 0;
+  int shellSide = 0;
   int fidelity = 0;
   bool asDouble = false;
   std::string array = "WindingNumber";
