@@ -1,6 +1,8 @@
 #pragma once
 
+#include "base/SolidShape.h"
 #include "base/UninitializedVector.h"
+#include "distance/DistanceTree.h"
 #include "field/Field.h"
 #include "winding.h"
 
@@ -32,6 +34,14 @@ struct winding_mesh
   winding::UninitializedVector<std::uint8_t> colors;
   int colorComponents = 0;
   winding::UninitializedVector<float> textureCoordinates;
+  std::int64_t filledCavities = 0;
+
+  ///@{
+  /// The distances that a surface was made to have: from a tree of its own, or from the source.
+  int distancesFrom = WINDING_DISTANCES_FROM_NOTHING;
+  winding::DistanceBand distances;
+  std::shared_ptr<const winding::DistanceTree> distanceTree;
+  ///@}
 
   /// A column of a table: numbers, or texts.
   struct Column

@@ -4,6 +4,7 @@
 #include "level/GridContour.h"
 #include "level/LevelMemory.h"
 #include "level/LevelRoots.h"
+#include "level/ShapedSolid.h"
 #include "level/SharpContour.h"
 #include "messages/PropertyChecks.h"
 #include "report/Fidelity.h"
@@ -136,6 +137,20 @@ public:
     return roots_;
   }
 
+  /// Makes the shape of the solid, whose roots are found, and warns of what it lost.
+  winding::ShapedSolid shaped(const winding::SolidShape& shape)
+  {
+    setShare(call_, share_, 0.5, 1);
+    winding::ShapedSolid made(field_, grid_, ruleOf(rule_), rule_.winding_threshold, edges_, roots_,
+      shape, options_.features == WINDING_FEATURES_SHARP, call_.executor);
+    const auto advice = winding::shapeAdvice(grid_, shape, made.edges().size() == 0);
+    if (advice)
+    {
+      call_.warn(*advice);
+    }
+    return made;
+  }
+
   const winding::LevelEdges& edges() const { return edges_; }
   const winding::EdgeRoots& roots() const { return roots_; }
 
@@ -210,10 +225,23 @@ void writeSurface(const Grid& grid, const winding::LevelEdges& edges,
   }
 }
 
+winding::SolidShape shapeOf(const winding_surface_options& options)
+{
+  winding::SolidShape shape;
+  shape.fillsCavities = options.fill_cavities != 0;
+  shape.offset = options.offset;
+  shape.shell = options.shell;
+  shape.shellSide = static_cast<winding::ShellSide>(options.shell_side);
+  return shape;
+}
+
 winding_surface_options checkedOptions(const winding_surface_options* options, const Grid& grid)
 {
   const winding_surface_options wished = known(options, defaultSurfaceOptions());
   winding::checkProperty(winding::Parameter::features, wished.features);
+  winding::checkProperty(winding::Parameter::offset, wished.offset);
+  winding::checkProperty(winding::Parameter::shell, wished.shell);
+  winding::checkProperty(winding::Parameter::shellSide, wished.shell_side);
   if (wished.type != 0 && wished.type != WINDING_FLOAT32 && wished.type != WINDING_FLOAT64)
   {
     throw Misuse("options.type is no type of floating-point numbers");
@@ -289,9 +317,29 @@ winding_status winding_level_surface(const winding_field* field, const winding_g
             {
               surface.findEdges();
               surface.warn(true);
+              const winding::SolidShape shape = shapeOf(wished);
+              if (shape.isPlain())
+              {
+                writeSurface(
+                  samples, surface.edges(),
+                  [&]() -> const winding::EdgeRoots& { return surface.findRoots(); }, nullptr,
+                  wished, call, made);
+                return;
+              }
+              surface.findRoots();
+              const winding::ShapedSolid shaped = surface.shaped(shape);
+              made.filledCavities = static_cast<std::int64_t>(shaped.cavities());
+              if (shape.hasDistances())
+              {
+                made.distancesFrom = shaped.base() == winding::DistanceBase::source
+                                       ? WINDING_DISTANCES_FROM_SOURCE
+                                       : WINDING_DISTANCES_FROM_SURFACE;
+                made.distances = shape.band();
+                made.distanceTree = shaped.surfaceTree();
+              }
               writeSurface(
-                samples, surface.edges(),
-                [&]() -> const winding::EdgeRoots& { return surface.findRoots(); }, nullptr, wished,
+                samples, shaped.edges(),
+                [&]() -> const winding::EdgeRoots& { return shaped.roots(); }, nullptr, wished,
                 call, made);
             });
         });
@@ -451,6 +499,8 @@ winding_status winding_mesh_show(
       to.labels = pointerTo(from.labels);
       to.numbers = pointerTo(from.numbers);
       to.slit_widths = pointerTo(from.slitWidths);
+      to.distances_from = from.distancesFrom;
+      to.filled_cavities = from.filledCavities;
       to.line_count =
         from.lineOffsets.empty() ? 0 : static_cast<int64_t>(from.lineOffsets.size() - 1);
       to.line_offsets = pointerTo(from.lineOffsets);
@@ -514,8 +564,15 @@ winding_status winding_compare(const winding_field* field, const winding_mesh* m
         }
       }
       constexpr unsigned seed = 1;
-      const winding::Fidelity found = winding::compareWithSource(*handle.field, vertices, triangles,
-        voxel, static_cast<std::size_t>(samples), seed, call.executor);
+      winding::WantedDistances wanted = {compared.distanceTree.get(), compared.distances};
+      const bool isMoved = compared.distancesFrom != WINDING_DISTANCES_FROM_NOTHING;
+      if (compared.distancesFrom == WINDING_DISTANCES_FROM_SOURCE)
+      {
+        wanted.from = &handle.field->distanceTree(call.executor);
+      }
+      const winding::Fidelity found =
+        winding::compareWithSource(*handle.field, vertices, triangles, voxel,
+          static_cast<std::size_t>(samples), seed, call.executor, isMoved ? &wanted : nullptr);
       winding_fidelity to = {};
       to.samples = static_cast<int64_t>(found.samples);
       to.largest_from_source = found.largestFromSource;
@@ -527,6 +584,8 @@ winding_status winding_compare(const winding_field* field, const winding_mesh* m
       to.components = static_cast<int64_t>(found.components);
       to.lost_components = static_cast<int64_t>(found.lostComponents);
       to.self_intersections = static_cast<int64_t>(found.selfIntersections);
+      to.largest_shape_error = found.largestShapeError;
+      to.mean_shape_error = found.meanShapeError;
       give(to, result);
     });
 }

@@ -492,6 +492,14 @@ extern "C"
   /** Faces that the library has made or read. */
   typedef struct winding_mesh winding_mesh;
 
+  /** The origins of the distances of an offset or a shell. */
+  typedef enum winding_distances_from
+  {
+    WINDING_DISTANCES_FROM_NOTHING = 0, /**< there is no offset and no shell */
+    WINDING_DISTANCES_FROM_SOURCE = 1,
+    WINDING_DISTANCES_FROM_SURFACE = 2 /**< the surface without offset and shell */
+  } winding_distances_from;
+
   /** The arrays of a mesh, which belong to it. Those that it does not have are null. */
   typedef struct winding_mesh_arrays
   {
@@ -522,6 +530,8 @@ extern "C"
     const float* texture_coordinates; /**< two for each point */
     int64_t regions_count;            /**< of winding_mesh_regions() */
     const double* slit_widths;        /**< one for each polygon, of WINDING_FAULT_BOUNDARY */
+    int32_t distances_from;           /**< a winding_distances_from, of a surface that moved */
+    int64_t filled_cavities;          /**< of winding_level_surface() */
   } winding_mesh_arrays;
 
   /**
@@ -570,7 +580,22 @@ extern "C"
     WINDING_FEATURES_SHARP = 1   /**< they are kept, by faces of four corners */
   } winding_features;
 
-  /** How the surface between inside and outside is made. */
+  /** The sides of a solid's surface that its shell lies on. */
+  typedef enum winding_shell_side
+  {
+    WINDING_SHELL_SIDE_INWARD = 0,
+    WINDING_SHELL_SIDE_OUTWARD = 1,
+    /** Half of the thickness on either side; an open source is thickened as a sheet, with its rim,
+     * unless cavities are filled or the surface moves. */
+    WINDING_SHELL_SIDE_CENTERED = 2
+  } winding_shell_side;
+
+  /**
+   * How the surface between inside and outside is made. Cavities are filled, the surface moves by
+   * an offset, and a shell replaces the solid, in this order. Distances are measured from the
+   * source where all of its triangles bound the solid, and else from the surface that the same
+   * options make without offset and shell.
+   */
   typedef struct winding_surface_options
   {
     uint32_t size;              /**< bytes of the struct that its caller knows */
@@ -579,6 +604,10 @@ extern "C"
     int32_t close_border;     /**< whether what is beyond the grid counts as outside. Default: 0 */
     int32_t generate_normals; /**< whether normals are made. Default: 1 */
     int32_t type; /**< of points: _FLOAT32, _FLOAT64, or 0 for what they need. Default: 0 */
+    int32_t fill_cavities; /**< whether what the outside does not reach is inside. Default: 0 */
+    int32_t shell_side;    /**< a winding_shell_side. Default: WINDING_SHELL_SIDE_INWARD */
+    double offset; /**< length by which the surface moves outward, negative: inward. Default: 0 */
+    double shell;  /**< thickness of the shell that replaces the solid; 0 for none. Default: 0 */
   } winding_surface_options;
 
   /**
@@ -1124,6 +1153,8 @@ extern "C"
     int64_t components;         /**< connected parts of the source */
     int64_t lost_components;    /**< that the surface has nothing of */
     int64_t self_intersections; /**< of the surface */
+    double largest_shape_error; /**< of the surface, off the wanted distances; NaN for none */
+    double mean_shape_error;    /**< of these errors */
   } winding_fidelity;
 
   /**

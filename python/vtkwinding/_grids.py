@@ -78,6 +78,11 @@ class Plan:
                 self.bounds, self.dimensions = _bricks(box_of_source, steps)
 
 
+def grown(bounds, reach):
+    """A box with a margin of a length on all sides."""
+    return [end + (reach if index % 2 else -reach) for index, end in enumerate(bounds)]
+
+
 def _padded(bounds, padding):
     """A box with a margin of each axis's own, and of the longest where an axis has no length."""
     sides = [bounds[2 * axis + 1] - bounds[2 * axis] for axis in range(3)]

@@ -127,7 +127,8 @@ class MeshArrays(Sized):
                 ("vertex_count", _int64), ("vertex_offsets", ctypes.c_void_p),
                 ("vertex_corners", ctypes.c_void_p), ("colors", ctypes.c_void_p),
                 ("color_components", _int32), ("texture_coordinates", ctypes.c_void_p),
-                ("regions_count", _int64), ("slit_widths", ctypes.c_void_p)]
+                ("regions_count", _int64), ("slit_widths", ctypes.c_void_p),
+                ("distances_from", _int32), ("filled_cavities", _int64)]
 
 
 class Column(Sized):
@@ -175,13 +176,16 @@ class Fidelity(Sized):
                 ("largest_from_source", _double), ("mean_from_source", _double),
                 ("largest_to_source", _double), ("mean_to_source", _double),
                 ("source_volume", _double), ("volume", _double), ("components", _int64),
-                ("lost_components", _int64), ("self_intersections", _int64)]
+                ("lost_components", _int64), ("self_intersections", _int64),
+                ("largest_shape_error", _double), ("mean_shape_error", _double)]
 
 
 class SurfaceOptions(Sized):
     _init_ = "winding_surface_options_init"
     _fields_ = [("size", ctypes.c_uint32), ("features", _int32), ("generate_triangles", _int32),
-                ("close_border", _int32), ("generate_normals", _int32), ("type", _int32)]
+                ("close_border", _int32), ("generate_normals", _int32), ("type", _int32),
+                ("fill_cavities", _int32), ("shell_side", _int32), ("offset", _double),
+                ("shell", _double)]
 
 
 class Report(Sized):
@@ -389,6 +393,8 @@ def arrays_of(mesh):
         "labels": view(arrays.labels, np.uint16, polygons, 2),
         "numbers": view(arrays.numbers, np.int64, polygons),
         "slit_widths": view(arrays.slit_widths, np.float64, polygons),
+        "distances_from": (None, "source", "surface")[arrays.distances_from],
+        "filled_cavities": arrays.filled_cavities,
         "column_count": arrays.column_count,
         "regions": _regions_of(mesh, arrays),
         "lines": cells(arrays.line_corners, arrays.line_offsets, arrays.line_count),

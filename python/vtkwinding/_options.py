@@ -10,6 +10,7 @@ import numpy as np
 METHODS = {"auto": 0, "rows": 1, "hierarchical": 2, "direct": 3, "parity": 4}
 RULES = {"signed": 0, "absolute": 1, "odd": 2}
 COVERAGES = {"center": 0, "any": 1, "fraction": 2}
+SHELL_SIDES = {"inward": 0, "outward": 1, "centered": 2}
 FEATURES = {"smooth": 0, "sharp": 1}
 ASSOCIATIONS = {"point": 0, "cell": 1}
 NORMAL_ESTIMATIONS = {"auto": 0, "tree": 1, "consistent": 2}
@@ -65,6 +66,19 @@ def _in_range(name, value, least, most):
         ends = f"{least} or more" if most is None else f"{least} to {most}"
         raise ValueError(f"{name} must be {ends}, not {value}")
     return value
+
+
+def shape(fill_cavities, offset, shell, shell_side):
+    """The settings of the library for what is made of a solid, and how far that reaches beyond it."""
+    settings = {"fill_cavities": flag("fill_cavities", fill_cavities),
+                "offset": number("offset", offset), "shell": number("shell", shell, 0),
+                "shell_side": choice("shell_side", shell_side, SHELL_SIDES)}
+    return settings, reach(settings["offset"], settings["shell"], settings["shell_side"])
+
+
+def reach(offset, shell, shell_side):
+    """How far the shape of a solid reaches beyond it."""
+    return max(0.0, offset + (0, 1, 0.5)[shell_side] * shell)
 
 
 def text(name, value):

@@ -172,13 +172,13 @@ class WindingAccessor:
         return made, sides
 
     @staticmethod
-    def _grid(*made, **wishes):
-        """The grid of the library over the sources of fields."""
+    def _grid(*made, reach=0, **wishes):
+        """The grid of the library over the sources of fields, and what is within reach of them."""
         def bounds():
             found = fields.box_of(made)
             if found is None:
                 raise WindingError("the input is empty, and has no bounds: give bounds (bounds=)")
-            return found
+            return _grids.grown(found, reach)
 
         return fields.grid_of(_grids.Plan(bounds, **wishes), bounds)
 
@@ -299,7 +299,9 @@ class WindingAccessor:
     def surface(self, *, dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
                 resolution: int | None = None, bounds: ArrayLike | None = None,
                 padding: float = 0.05, features: str = "smooth", close_border: bool = False,
-                compute_normals: bool = True, distance_to_input: bool = False,
+                fill_cavities: bool = False, offset: float = 0, shell: float = 0,
+                shell_side: str = "inward", compute_normals: bool = True,
+                distance_to_input: bool = False,
                 progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.PolyData:
         """The surface w = threshold, closed over holes: PolyData of triangles.
 
@@ -307,19 +309,30 @@ class WindingAccessor:
         and has normals of its faces, not of its points. close_border closes the surface where
         bounds cut it off. distance_to_input adds the point array 'DistanceToInput', as active
         scalars: distances from this mesh.
+
+        fill_cavities makes inside what the outside does not reach. offset is the length by which
+        the surface moves outward, inward if negative. shell is the thickness of the shell that
+        replaces the solid, 0 for none; shell_side is 'inward', 'outward' or 'centered', which
+        thickens an open surface as a sheet. The field data 'DistancesFrom' say whether distances
+        are from this mesh, 'source', or from the 'surface' without offset and shell.
         """
         _check_source("the mesh", self._mesh)
+        shape, reach = _options.shape(fill_cavities, offset, shell, shell_side)
         settings = {
             "features": _options.choice("features", features, _options.FEATURES),
             "close_border": _options.flag("close_border", close_border),
-            "generate_normals": _options.flag("compute_normals", compute_normals)}
+            "generate_normals": _options.flag("compute_normals", compute_normals), **shape}
         adds_distances = _options.flag("distance_to_input", distance_to_input)
         field, sides = self._field(options)
-        grid = self._grid(field, dimensions=dimensions, spacing=spacing, resolution=resolution,
-                          bounds=bounds, padding=padding)
+        grid = self._grid(field, reach=reach, dimensions=dimensions, spacing=spacing,
+                          resolution=resolution, bounds=bounds, padding=padding)
         with bar(progress_bar, "Extracting the surface") as show:
             arrays = field.level_surface(grid, sides, show=show, **settings)
         surface = _surface_of(arrays)
+        if arrays["distances_from"]:
+            surface.field_data["DistancesFrom"] = [arrays["distances_from"]]
+        if shape["fill_cavities"]:
+            surface.field_data["FilledCavities"] = [arrays["filled_cavities"]]
         if adds_distances and surface.n_points:
             distances = field.at(surface.points, {"distance": np.dtype("f8")}, sides)["distance"]
             surface.point_data["DistanceToInput"] = np.abs(distances)

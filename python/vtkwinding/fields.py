@@ -306,10 +306,11 @@ class Field:
         """The gradient of the winding number at points (N, 3), in 1/length: (N, 3) floats."""
         return self._one_at(points, "gradient", np.dtype("f8"), self._sides())
 
-    def _grid(self, **wishes):
+    def _grid(self, reach=0, **wishes):
+        """The grid of the library for wishes, over the source and what is within reach of it."""
         def bounds():
             found = self.bounds
-            return [0, 1] * 3 if np.isnan(found).any() else found.tolist()
+            return [0, 1] * 3 if np.isnan(found).any() else _grids.grown(found.tolist(), reach)
 
         return grid_of(_grids.Plan(bounds, **wishes), bounds)
 
@@ -355,22 +356,30 @@ class Field:
     def surface(self, *, resolution: int | None = None, dimensions: ArrayLike | None = None,
                 spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
                 padding: float = 0.05, features: str = "smooth", close_border: bool = False,
-                dtype: DTypeLike | None = None, threshold: float | None = None,
-                rule: str | None = None) -> tuple[FloatArray, IdArray]:
+                fill_cavities: bool = False, offset: float = 0, shell: float = 0,
+                shell_side: str = "inward", dtype: DTypeLike | None = None,
+                threshold: float | None = None, rule: str | None = None
+                ) -> tuple[FloatArray, IdArray]:
         """The surface w = threshold: vertices (V, 3) and faces (F, 3).
 
         The grid is laid out as in field(). features: 'smooth', or 'sharp', which keeps edges and
         corners. The vertices have the given dtype: float32, float64, or None for float64 only where
         float32 could not tell places apart.
+
+        fill_cavities makes inside what the outside does not reach. offset is the length by which
+        the surface moves outward, inward if negative. shell is the thickness of the shell that
+        replaces the solid, 0 for none; shell_side is 'inward', 'outward' or 'centered', which
+        thickens an open surface as a sheet.
         """
+        shape, reach = _options.shape(fill_cavities, offset, shell, shell_side)
         sides = self._sides(threshold, rule)
         features = _options.choice("features", features, _options.FEATURES)
         close_border = _options.flag("close_border", close_border)
         kind = 0 if dtype is None else _library.TYPES[float_type(dtype)]
-        grid = self._grid(resolution=resolution, dimensions=dimensions, spacing=spacing,
+        grid = self._grid(reach, resolution=resolution, dimensions=dimensions, spacing=spacing,
                           bounds=bounds, padding=padding)
         arrays = self._level_surface(
-            grid, sides, features=features, close_border=close_border, type=kind)
+            grid, sides, features=features, close_border=close_border, type=kind, **shape)
         if arrays["points"] is None:
             return (np.empty((0, 3), np.float32 if dtype is None else dtype),
                     np.empty((0, 3), np.int64))

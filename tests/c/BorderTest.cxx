@@ -276,4 +276,8 @@ TEST(Border, NamesOptionsAsMessagesDo)
   EXPECT_EQ(surface.features, defaultOf(Parameter::features));
   EXPECT_EQ(surface.generate_normals, defaultOf(Parameter::generateNormals));
   EXPECT_EQ(surface.close_border, defaultOf(Parameter::closeBorder));
+  EXPECT_EQ(surface.fill_cavities, defaultOf(Parameter::fillCavities));
+  EXPECT_EQ(surface.offset, defaultOf(Parameter::offset));
+  EXPECT_EQ(surface.shell, defaultOf(Parameter::shell));
+  EXPECT_EQ(surface.shell_side, defaultOf(Parameter::shellSide));
 }

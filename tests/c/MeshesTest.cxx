@@ -113,6 +113,56 @@ TEST(LevelSurface, KeepsEdgesIfItIsSharp)
   EXPECT_EQ(show(cut).corner_count, 3 * show(cut).polygon_count);
 }
 
+TEST(LevelSurface, MovesAndBecomesAShell)
+{
+  const Field field = fieldOf(shapes::cube());
+  const winding_grid grid = gridAround({-0.5, -0.5, -0.5}, {1.5, 1.5, 1.5}, 40);
+  auto options = with(winding_surface_options_init);
+  options.features = WINDING_FEATURES_SHARP;
+  options.offset = -0.2;
+  const OwnedMesh small = surfaceOf(field, grid, options);
+  EXPECT_NEAR(closedVolumeOf(show(small)), 0.6 * 0.6 * 0.6, 1e-6);
+  EXPECT_EQ(show(small).distances_from, WINDING_DISTANCES_FROM_SOURCE);
+  options.offset = 0;
+  options.shell = 0.25;
+  const OwnedMesh shell = surfaceOf(field, grid, options);
+  EXPECT_NEAR(closedVolumeOf(show(shell)), 1 - 0.125, 1e-6);
+  auto fidelity = with(winding_fidelity_init);
+  ASSERT_EQ(
+    winding_compare(field.get(), shell.get(), 0.05, 1000, nullptr, &fidelity, nullptr), WINDING_OK);
+  EXPECT_LT(fidelity.largest_shape_error, 1e-6);
+
+  options.shell = 0;
+  const OwnedMesh plain = surfaceOf(field, grid, options);
+  EXPECT_EQ(show(plain).distances_from, WINDING_DISTANCES_FROM_NOTHING);
+  ASSERT_EQ(
+    winding_compare(field.get(), plain.get(), 0.05, 1000, nullptr, &fidelity, nullptr), WINDING_OK);
+  EXPECT_TRUE(std::isnan(fidelity.largest_shape_error));
+
+  const Field hollow =
+    fieldOf(shapes::cube().with(shapes::cube({0.2, 0.2, 0.2}, {0.8, 0.8, 0.8}).reversed()));
+  options.fill_cavities = 1;
+  options.shell = 0.25;
+  const OwnedMesh filled = surfaceOf(hollow, grid, options);
+  EXPECT_NEAR(closedVolumeOf(show(filled)), 1 - 0.125, 1e-6);
+  EXPECT_EQ(show(filled).filled_cavities, 1);
+  EXPECT_EQ(show(filled).distances_from, WINDING_DISTANCES_FROM_SURFACE);
+
+  Warnings told;
+  options.shell = 0.01;
+  surfaceOf(hollow, grid, options, &told.run);
+  ASSERT_EQ(told.texts.size(), 1u);
+  EXPECT_NE(told.texts[0].find("thinner than a voxel"), std::string::npos) << told.texts[0];
+  for (const double wrong : {-1.0, std::nan("")})
+  {
+    options.shell = wrong;
+    winding_mesh* mesh = nullptr;
+    EXPECT_EQ(
+      winding_level_surface(field.get(), &grid, nullptr, &options, nullptr, &mesh, nullptr),
+      WINDING_REFUSED);
+  }
+}
+
 TEST(LevelSurface, SaysWhyItIsEmpty)
 {
   const Field field = fieldOf(shapes::cube({-9, -9, -9}, {9, 9, 9}));

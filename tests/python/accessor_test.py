@@ -155,6 +155,29 @@ class AccessorTest(Warned):
                                       close_border=True)
         self.assertAlmostEqual(half.volume / ball().volume, 0.5, 1)  # 0.49
 
+    def test_surfaces_move_and_become_shells(self):
+        cube = pv.Cube().triangulate()
+
+        def made(source=cube, **shape):
+            return source.winding.surface(resolution=24, features="sharp", **shape)
+
+        small = made(offset=-0.2)
+        self.assertAlmostEqual(small.volume, 0.6**3, delta=1e-5)
+        self.assertEqual(list(small.field_data["DistancesFrom"]), ["source"])
+        self.assertAlmostEqual(made(shell=0.25).volume, 1 - 0.5**3, delta=1e-5)
+        grown = made(offset=0.5)
+        np.testing.assert_allclose(grown.bounds, [-1, 1] * 3, atol=1e-6)
+        self.assertEqual(grown.n_open_edges, 0)
+        hollow = cube + pv.Cube(x_length=0.5, y_length=0.5, z_length=0.5).triangulate().flip_faces()
+        solid = made(hollow, fill_cavities=True)
+        self.assertAlmostEqual(solid.volume, 1, delta=1e-5)
+        self.assertEqual(list(solid.field_data["FilledCavities"]), [1])
+        sheet = pv.Plane(i_resolution=2, j_resolution=2).triangulate().winding.surface(
+            resolution=40, shell=0.2, shell_side="centered")
+        self.assertEqual(sheet.n_open_edges, 0)
+        # A plate with a round rim: 0.2 + 4 half cylinders + one ball. Measured: 0.2 % less.
+        self.assertAlmostEqual(sheet.volume, 0.2 + 2 * np.pi * 0.01 + 4 / 3 * np.pi * 1e-3, delta=2e-3)
+
     def test_sharp_surfaces_keep_edges(self):
         cube = pv.Cube().rotate_vector((1, 2, 3), 40).triangulate()
         sharp, smooth = (cube.winding.surface(resolution=20, features=features)

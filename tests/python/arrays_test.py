@@ -346,6 +346,10 @@ class BadInputTest(unittest.TestCase):
         refuses(ValueError, "tolerance must be finite", tolerance=10**400)
         refuses(ValueError, "only clouds .* have areas", areas=np.ones(len(CORNERS)))
         refuses(TypeError, "close_border must be a bool", function=surface, close_border="no")
+        refuses(ValueError, "offset must be finite", function=surface, offset=np.nan)
+        refuses(ValueError, "shell must be 0 or more, not -1", function=surface, shell=-1)
+        refuses(ValueError, "shell_side must be one of inward", function=surface, shell_side="in")
+        refuses(TypeError, "fill_cavities must be a bool", function=surface, fill_cavities="no")
 
     def test_names_and_scalars_of_numpy(self):
         for kind in (float, "float64", "f8", np.dtype(float)):
