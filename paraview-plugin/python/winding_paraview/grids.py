@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonCore import vtkInformation, vtkInformationVector
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 
-from vtkwinding import _library
+from vtkwinding import _grids, _library
 from vtkwinding._errors import WindingError
 from vtkwinding._parts import MOST_SKEW_TO_LIE_ON, directions_of, grid_of_image, has_right_angles
 
@@ -162,10 +162,15 @@ class GridAlgorithm(SourceAlgorithm):
         self.update_source(request)
 
     def _bounds_of_grid(self, data, ranks):
-        """The box that the grid lies over: that of the source, or None."""
+        """The box that the grid lies over: that of what the source can become, or None."""
         if not self.values["UseInputBounds"]:
             return None
-        return self._bounds_of_times[1] or self.bounds_of_source(data, ranks)
+        bounds = self._bounds_of_times[1] or self.bounds_of_source(data, ranks)
+        return bounds and _grids.grown(bounds, self.reach_beyond_source())
+
+    def reach_beyond_source(self):
+        """By how much the result reaches beyond the source."""
+        return 0
 
     def lay_out_grid(self, data, ranks):
         request = _library.GridRequest()

@@ -4,11 +4,11 @@ import ctypes
 import math
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 
-from vtkwinding import _datasets, _library
+from vtkwinding import _datasets, _library, _options
 from vtkwinding._errors import WindingError
 
 from .algorithm import RUN, Algorithm, copied, declared, new_array, refuse_beyond_memory
@@ -52,6 +52,9 @@ class WindingNumberSurface(GridAlgorithm):
     def GetFidelityInWords(self):
         return self.fidelity_in_words
 
+    def reach_beyond_source(self):
+        return _options.reach(self.value("Offset"), self.value("Shell"), self.value("ShellSide"))
+
     def RequestInformation(self, request, inputs, outputs):
         with self.reporting():
             self.source_kind = kind_of(vtkDataObject.GetData(inputs[0]))
@@ -87,7 +90,9 @@ class WindingNumberSurface(GridAlgorithm):
             features=self.value("Features"),
             generate_triangles=bool(self.value("GenerateTriangles")),
             close_border=bool(self.value("CloseBorder")),
-            generate_normals=bool(self.value("GenerateNormals")), type=(1, 2, 0)[precision])
+            generate_normals=bool(self.value("GenerateNormals")), type=(1, 2, 0)[precision],
+            fill_cavities=bool(self.value("FillCavities")), offset=self.value("Offset"),
+            shell=self.value("Shell"), shell_side=self.value("ShellSide"))
         mesh = _library.Handle("winding_mesh_free")
         self.evaluate("winding_level_surface", self.field.pointer, ctypes.byref(self.grid),
                       ctypes.byref(self.rule()), ctypes.byref(options), RUN,
@@ -98,6 +103,15 @@ class WindingNumberSurface(GridAlgorithm):
             output.GetPointData().SetNormals(copied("Normals", arrays["point_normals"], 3))
         if arrays["polygon_normals"] is not None:
             output.GetCellData().SetNormals(copied("Normals", arrays["polygon_normals"], 3))
+        if arrays["distances_from"]:
+            names = vtkStringArray()
+            names.SetName("DistancesFrom")
+            names.InsertNextValue(arrays["distances_from"])
+            output.GetFieldData().AddArray(names)
+        if self.value("FillCavities"):
+            array, view = new_array("FilledCavities", np.int32, 1)
+            view[0] = arrays["filled_cavities"]
+            output.GetFieldData().AddArray(array)
         self.describe(output)
         self.between(1, 1)
         if self.value("GenerateDistanceToInput"):
@@ -133,6 +147,15 @@ class WindingNumberSurface(GridAlgorithm):
             f"{found.mean_to_source:.3g}\nvolume {found.volume:.3g}, of the input {volume}; "
             f"{found.lost_components} of {found.components} parts lost; "
             f"{found.self_intersections} self-intersections")
+        if not math.isnan(found.largest_shape_error):
+            for name, value in (("LargestShapeError", found.largest_shape_error),
+                                ("MeanShapeError", found.mean_shape_error)):
+                array, view = new_array(name, np.float64, 1)
+                view[0] = value
+                output.GetFieldData().AddArray(array)
+            self.fidelity_in_words += (
+                f"\noff the distance that is asked for max {found.largest_shape_error:.3g}, mean "
+                f"{found.mean_shape_error:.3g}")
 
     def _verify(self, samples):
         """Nothing else needs all values on the grid."""
