@@ -37,6 +37,11 @@ protected:
   nlohmann::json made;
 };
 
+/// Without a parameter: it is about surfaces alone.
+class ShapeCommand : public SurfaceCommands
+{
+};
+
 constexpr double volumeOfSphere = 4.18879;
 
 /// The results have outward faces and no boundary, in every format.
@@ -324,6 +329,36 @@ TEST(SurfaceCommand, KeepsSharpEdgesAndTellsHowNearItIs)
   EXPECT_NE(words.out.find("0 of 1 parts lost; 0 self-intersections"), std::string::npos) << words;
 }
 
+/// A wall, a grown solid and a hollow one that is filled.
+TEST_F(ShapeCommand, MovesAndMakesShells)
+{
+  const auto volumeOfBall = [](double radius)
+  {
+    return volumeOfSphere * radius * radius * radius;
+  };
+  for (const std::string suffix : {"vtp", "stl"})
+  {
+    const nlohmann::json grown = checked("surface", suffix, {"--offset", "0.5"});
+    EXPECT_EQ(grown["closed"], true);
+    EXPECT_NEAR(grown["volume"], volumeOfBall(1.5), 0.04 * volumeOfBall(1.5));
+    EXPECT_EQ(made["output"]["distances_from"], "source");
+    const nlohmann::json wall =
+      checked("surface", suffix, {"--shell", "0.5", "--shell-side", "outward"});
+    const double volume = volumeOfBall(1.5) - volumeOfBall(1);
+    EXPECT_NEAR(wall["volume"], volume, 0.04 * volume);
+    EXPECT_EQ(wall["components_edge"], 2);
+  }
+  const std::string shell = folder.path("shell.ply");
+  ASSERT_EQ(runProgram({"surface", in, "-o", shell, "--shell", "0.4"}).status, 0);
+  const Outcome run =
+    runProgram({"surface", shell, "-o", folder.path("solid.ply"), "--fill-cavities"});
+  EXPECT_EQ(run.status, 0) << run;
+  EXPECT_NE(run.out.find("1 cavities filled"), std::string::npos) << run;
+  const Outcome told = runProgram(
+    {"surface", in, "-o", folder.path("o.ply"), "--offset", "0.1", "--fidelity", "100", "--json"});
+  EXPECT_LT(told.json()["fidelity"]["largest_shape_error"], 0.02) << told;
+}
+
 TEST(SurfaceCommand, RefusesOptionsOfSharpSurfacesElsewhere)
 {
   const TemporaryFolder folder;
@@ -338,6 +373,9 @@ TEST(SurfaceCommand, RefusesOptionsOfSharpSurfacesElsewhere)
   };
   refused({"--triangles"}, "--triangles is for --features sharp; say that, too, or leave it out");
   refused({"--fidelity", "-1"}, "--fidelity is -1; give 0 or more");
+  refused({"--shell", "-1"}, "--shell is -1; give 0 or more");
+  refused({"--shell-side", "outward"}, "--shell-side is for --shell; say that, too");
+  refused({"--shell", "1", "--shell-side", "up"}, "--shell-side");
   refused({"--features", "keen"}, "--features");
 }
 

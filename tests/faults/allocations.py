@@ -19,6 +19,8 @@ def jobs():
             # VTK's writer of .ply goes on with null pointers where an allocation fails.
             winding.Job("out.stl", "surface", "in.off", "-o", "out.stl", "--resolution", 4,
                         "--features", "sharp", "--fidelity", 20, *common),
+            winding.Job("out.stl", "surface", "in.off", "-o", "out.stl", "--resolution", 4,
+                        "--shell", 0.5, "--fill-cavities"),
             winding.Job("out.stl", "boolean", "in.off", "in.off", "-o", "out.stl", "--resolution", 4,
                         *common),
             winding.Job("out.vti", "labels", "in.off", "-o", "out.vti", "--resolution", 4,

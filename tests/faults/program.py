@@ -91,6 +91,7 @@ def jobs(size=24):
         Job("out.obj", "surface", "in.off", "-o", "out.obj", *grid),
         Job("out.ply", "surface", "in.off", "-o", "out.ply", "--features", "sharp",
             "--fidelity", 100, *grid),
+        Job("out.vtp", "surface", "in.off", "-o", "out.vtp", "--shell", "0.2", *grid),
         Job("out.vtp", "boolean", "in.off", "in.off", "-o", "out.vtp", *grid),
         Job("out.vti", "labels", "in.off", "-o", "out.vti", "--coverage", "fraction", *grid),
         Job("out.vtp", "labels", "in.off", "-o", "out.vtp", *grid),

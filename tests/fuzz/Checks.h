@@ -39,6 +39,7 @@ std::string checkLevel(Choices& choices);
 
 /// Edges and roots of operations on several sources: LevelCheck.cxx.
 std::string checkBoolean(Choices& choices);
+std::string checkShape(Choices& choices);
 
 /// Sharp surfaces: SharpCheck.cxx.
 std::string checkSharp(Choices& choices);
@@ -67,8 +68,9 @@ inline std::vector<NamedCheck> allChecks()
 {
   return {{"surface_field", checkSurfaceField}, {"cloud_field", checkCloudField},
     {"coverage", checkCoverage}, {"orientation", checkOrientation}, {"completion", checkCompletion},
-    {"level", checkLevel}, {"boolean", checkBoolean}, {"voxel_trees", checkVoxelTrees},
-    {"sharp", checkSharp}, {"lattice", checkLattice}, {"library", checkLibrary}};
+    {"level", checkLevel}, {"boolean", checkBoolean}, {"shape", checkShape},
+    {"voxel_trees", checkVoxelTrees}, {"sharp", checkSharp}, {"lattice", checkLattice},
+    {"library", checkLibrary}};
 }
 
 } // namespace fuzz

@@ -2,8 +2,10 @@
 #include "FieldValues.h"
 #include "RandomSources.h"
 
+#include "distance/SampleDistances.h"
 #include "level/CombinedRoots.h"
 #include "level/LevelRoots.h"
+#include "level/ShapedSolid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +14,8 @@
  * @file
  * The edges of a grid that a level crosses are compared with the sides of its samples, whatever the
  * slabs; the roots on them lie on their edges, are the same for every executor and are found in few
- * rounds. So are the edges of operations on several sources, with the answers at each sample.
+ * rounds. So are the edges of operations on several sources, with the answers at each sample, and
+ * the shapes of solids, with each sample's own distance.
  */
 namespace fuzz
 {
@@ -262,6 +265,138 @@ std::string checkBoolean(Choices& choices)
       {
         return "a root is not one of its operand's";
       }
+    }
+  }
+  return {};
+}
+
+namespace
+{
+
+SolidShape randomShape(Choices& choices, double unit)
+{
+  SolidShape shape;
+  shape.fillsCavities = choices.oneIn(3);
+  shape.offset = choices.oneIn(2) ? 0 : choices.between(-3, 3) * unit;
+  shape.shell = choices.oneIn(2) ? 0 : choices.between(0, 3) * unit;
+  shape.shellSide = static_cast<ShellSide>(choices.below(3));
+  return shape;
+}
+
+/// The places of all samples of a grid, or of the roots of edges that are not at the border.
+std::vector<double> placesOf(const Grid& grid)
+{
+  std::vector<double> places;
+  for (std::size_t n = 0; n < sampleCount(grid.wholeExtent()); ++n)
+  {
+    const Eigen::Vector3d place = grid.sample(n);
+    places.insert(places.end(), place.data(), place.data() + 3);
+  }
+  return places;
+}
+
+std::vector<double> placesOf(const Grid& grid, const LevelEdges& edges, const EdgeRoots& roots)
+{
+  std::vector<double> places;
+  for (std::size_t n = 0; n < edges.size(); ++n)
+  {
+    if (!edges.isAtBorder(edges[n]))
+    {
+      const std::array<int, 3>& sample = edges[n].sample;
+      Eigen::Vector3d steps(sample[0], sample[1], sample[2]);
+      steps[edges[n].axis] += roots.fractions[n];
+      const Eigen::Vector3d place = grid.firstSample + steps.cwiseProduct(grid.spacing);
+      places.insert(places.end(), place.data(), place.data() + 3);
+    }
+  }
+  return places;
+}
+
+/// How far a distance is off the nearer limit of a band.
+double offLimits(const DistanceBand& band, double distance)
+{
+  return std::min(
+    std::abs(distance - std::abs(band.low)), std::abs(distance - std::abs(band.high)));
+}
+
+} // namespace
+
+std::string checkShape(Choices& choices)
+{
+  auto field = randomField(choices);
+  if (!field || field->info().primitives == 0)
+  {
+    return {};
+  }
+  const Grid grid = randomGrid(choices, field->info().bounds);
+  const bool border = choices.oneIn(2), isSharp = choices.oneIn(2);
+  SerialExecutor serial;
+  BackwardExecutor backward;
+  const Operand solid(std::move(field), grid, choices, border, serial);
+  const SolidShape shape = randomShape(choices, grid.spacing.maxCoeff());
+  const auto make = [&](Executor& executor)
+  {
+    return std::make_unique<const ShapedSolid>(*solid.field, grid, solid.rule, solid.threshold,
+      solid.edges, solid.roots, shape, isSharp, executor);
+  };
+  const auto shaped = make(serial), again = make(backward);
+  if (!areSame(shaped->edges(), again->edges()) ||
+      shaped->roots().fractions != again->roots().fractions ||
+      shaped->roots().normals != again->roots().normals)
+  {
+    return "the shape depends on the executor";
+  }
+  for (const double fraction : shaped->roots().fractions)
+  {
+    if (!(fraction >= 0 && fraction <= 1))
+    {
+      return "a root of the shape lies at " + std::to_string(fraction) + " of its edge";
+    }
+  }
+  if (!shape.hasDistances())
+  {
+    return {};
+  }
+  const bool isFromSource = shaped->base() == DistanceBase::source;
+  const DistanceTree& tree =
+    isFromSource ? solid.field->distanceTree(serial) : *shaped->surfaceTree();
+  const bool isSheet = isFromSource && !solid.field->info().jumpsOnly();
+  std::unique_ptr<const FilledCavities> filled;
+  if (shape.fillsCavities)
+  {
+    filled = std::make_unique<const FilledCavities>(solid.edges, solid.roots, grid, serial);
+  }
+  const LevelEdges& own = filled ? filled->edges : solid.edges;
+  const DistanceBand band = shape.band();
+  const double size = (grid.spacing.cwiseProduct(grid.dimensions.cast<double>())).norm() +
+                      grid.firstSample.cwiseAbs().maxCoeff();
+  const std::vector<double> places = placesOf(grid);
+  const std::vector<double> distances =
+    distancesFrom(tree, VectorsView(places.data(), places.size() / 3), serial);
+  for (std::size_t n = 0; n < distances.size(); ++n)
+  {
+    const Eigen::Vector3i at = sampleIndex(grid.wholeExtent(), n);
+    const std::array<int, 3> sample = {at[0], at[1], at[2]};
+    const bool isInside = !isSheet && own.isSampleInside(sample);
+    const bool isClear = offLimits(band, distances[n]) > 1e-12 * (distances[n] + size);
+    if (isClear && shaped->edges().isSampleInside(sample) != band.contains(isInside, distances[n]))
+    {
+      return "a sample of the shape is not on the side of its distance";
+    }
+  }
+  // Roots on the solid's own surface lie where its roots do.
+  if (!isFromSource || tree.empty() || band.low == 0 || band.high == 0)
+  {
+    return {};
+  }
+  const std::vector<double> roots = placesOf(grid, shaped->edges(), shaped->roots());
+  for (const double distance :
+    distancesFrom(tree, VectorsView(roots.data(), roots.size() / 3), serial))
+  {
+    if (offLimits(band, distance) > 1e-5 * grid.spacing.maxCoeff() + 1e-12 * size)
+    {
+      return "a root of the shape is off its distance by " +
+             std::to_string(offLimits(band, distance) / grid.spacing.maxCoeff()) + " voxels";
     }
   }
   return {};

@@ -257,6 +257,10 @@ void drawSurface(Choices& choices, vtkPointSet* data)
   filter->SetFeatures(choices.below(2));
   filter->SetGenerateTriangles(choices.oneIn(2));
   filter->SetCloseBorder(choices.oneIn(2));
+  filter->SetFillCavities(choices.oneIn(4));
+  filter->SetOffset(choices.oneIn(3) ? choices.between(-1, 1) : 0);
+  filter->SetShell(choices.oneIn(3) ? choices.between(0, 1) : 0);
+  filter->SetShellSide(choices.below(3));
   filter->SetFidelitySamples(choices.oneIn(3) ? choices.below(30) : 0);
   filter->SetGenerateDistanceToInput(filter->GetFidelitySamples() % 2);
   filter->SetInputData(data);

@@ -140,6 +140,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   smooth->SetPadding(choices.oneIn(2) ? 0 : 0.1);
   smooth->Update();
   checkSurface(smooth->GetOutput(), true, true);
+  smooth->SetOffset(choices.oneIn(2) ? choices.between(-1, 1) : 0);
+  smooth->SetShell(choices.oneIn(2) ? choices.between(0, 1) : 0);
+  smooth->SetShellSide(choices.below(3));
+  smooth->SetFillCavities(choices.oneIn(2));
+  smooth->Update();
+  checkSurface(smooth->GetOutput(), true, true);
   // The vertices of two patches in one cell may have one place.
   smooth->SetFeatures(vtkWindingNumberSurface::SHARP);
   smooth->SetGenerateTriangles(choices.oneIn(2));

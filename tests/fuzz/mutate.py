@@ -171,7 +171,10 @@ def command_for(chance, name, other):
         return ["field", name, "-o", "out.vti", *grid, *method, *cloud, *extra], ["out.vti"]
     if command in ("surface", "voxels"):
         output = "out" + chance.choice((".obj", ".stl", ".ply", ".vtp"))
-        return [command, name, "-o", output, *grid, *method, *cloud], [output]
+        shape = chance.choice(([], ["--offset", "0.2"], ["--offset=-0.1"], ["--fill-cavities"],
+                               ["--shell", "0.3", "--shell-side", "centered"]))
+        return [command, name, "-o", output, *grid, *method, *cloud,
+                *(shape if command == "surface" else [])], [output]
     if command == "sharp":
         output = "out" + chance.choice((".obj", ".stl", ".ply", ".vtp"))
         extra = chance.choice(([], ["--triangles"], ["--close-border"], ["--fidelity", "20"],

@@ -495,6 +495,7 @@ COMMANDS = [
     "probe a.csv q.csv -o b.csv --columns x=1 y=2 z=3 --query-columns x=a y=b z=c",
     "surface a.ply -o b.stl --close-border --double --json",
     "surface a.ply -o b.stl --features sharp --triangles --fidelity 100",
+    "surface a.ply -o b.stl --offset -0.5 --shell 1 --shell-side outward --fill-cavities",
     "labels a.stl b.obj -o c.vti --overlap smallest --count --coverage fraction --shares each",
     "labels a.vtp -o c.pvti --region-array r --label-offset -2 --pieces 2",
     "voxels a.stl -o b.vtp --padding 0.1 --method rows --tolerance 1e-4 --threads 2 --quiet",

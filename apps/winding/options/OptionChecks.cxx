@@ -127,6 +127,8 @@ void checkMethod(const Options& options, const WasGiven& wasGiven)
     "--rule odd has no threshold; leave --threshold out");
   requireUsage(!options.triangles || options.features == vtkWindingNumberSurface::SHARP,
     "--triangles is for --features sharp; say that, too, or leave it out");
+  requireUsage(options.command != "surface" || options.shell > 0 || !wasGiven("--shell-side"),
+    "--shell-side is for --shell; say that, too, or leave it out");
 }
 
 void checkOutput(const std::string& output, const std::string& whatWrites,

@@ -26,7 +26,11 @@ struct DistanceBand
   /// side alone counts for a limit of 0.
   bool isBelow(bool isInside, double distance) const
   {
-    return low < 0 ? isInside && distance >= -low : isInside || (low > 0 && distance <= low);
+    if (low < 0)
+    {
+      return std::isfinite(low) && isInside && distance >= -low;
+    }
+    return isInside || (low > 0 && distance <= low);
   }
   bool isAbove(bool isInside, double distance) const
   {

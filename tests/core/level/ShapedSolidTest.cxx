@@ -174,6 +174,23 @@ TEST(ShapedSolid, HasRootsAtTheExactDistance)
   EXPECT_LT(worst, 1.0 / (1 << 19)); // the tolerance is 2⁻²⁰
 }
 
+/// Where the grid shows no surface, none of its samples is near it.
+TEST(ShapedSolid, OfAGridWithinTheSolidIsAllInside)
+{
+  winding::SerialExecutor serial;
+  const winding::Grid grid = gridOf(Point::Constant(0.4), Point::Constant(0.02), {9, 9, 9});
+  const SolidOnGrid solid(openCube(), grid, false, serial);
+  const std::array<int, 3> sample = {4, 4, 4};
+  for (const SolidShape& shape : {shapeOf(0.1), shapeOf(-0.1)})
+  {
+    const ShapedSolid shaped = shapedOf(solid, grid, shape, serial);
+    EXPECT_EQ(shaped.base(), DistanceBase::surface);
+    EXPECT_EQ(shaped.edges().size(), 0u);
+    EXPECT_TRUE(shaped.edges().isSampleInside(sample));
+  }
+  EXPECT_FALSE(shapedOf(solid, grid, shapeOf(0, 0.1), serial).edges().isSampleInside(sample));
+}
+
 TEST(ShapedSolid, ThickensAnOpenSheetWithItsRim)
 {
   winding::SerialExecutor serial;
