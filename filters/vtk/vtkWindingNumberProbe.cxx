@@ -1,18 +1,31 @@
 #include "vtkWindingNumberProbe.h"
 
+#include "field/Field.h"
+#include "messages/Options.h"
 #include "messages/PropertyChecks.h"
 #include "private/output/ResultArrays.h"
+#include "private/pipeline/FreeMemory.h"
+#include "private/pipeline/SmpExecutor.h"
 #include "private/probe/InsidePart.h"
+#include "private/probe/ProbeCells.h"
 #include "private/probe/ProbeQueries.h"
 #include "private/probe/ProbeWords.h"
 #include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
+#include "voxels/CellFractions.h"
 
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkWindingNumberProbe);
 
@@ -59,11 +72,84 @@ winding::ResultOptions vtkWindingNumberProbe::GetResultOptions() const
   options.withValues = this->GenerateWindingNumber != 0;
   options.withInside = this->GenerateInside != 0;
   options.withDistances = this->WantsDistances();
+  options.withFraction = this->GenerateFraction != 0;
   options.scalarType = this->OutputScalarType;
   options.name = winding::textOf(this->ResultArrayName);
   const std::string insideName = winding::textOf(this->InsideArrayName);
   options.insideName = insideName.empty() ? "Inside" : insideName;
   return options;
+}
+
+std::size_t vtkWindingNumberProbe::GetAdditionalBytes(const winding::Field& field, vtkIdType)
+{
+  const auto cells = static_cast<std::size_t>(this->CellsToFill);
+  return cells == 0 ? 0 : winding::bytesOfCellFractions(field, cells) + cells * sizeof(float);
+}
+
+int vtkWindingNumberProbe::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
+  this->CellsToFill = this->GenerateFraction ? input->GetNumberOfElements(vtkDataObject::CELL) : 0;
+  const int isDone = this->Superclass::RequestData(request, inputs, outputs);
+  this->Fractions = nullptr;
+  return isDone;
+}
+
+void vtkWindingNumberProbe::EvaluateMore(
+  const winding::Field& field, const winding::ProbeQueries& queries, winding::SmpExecutor& executor)
+{
+  if (!this->GenerateFraction)
+  {
+    return;
+  }
+  const winding::ProbeCells cells(queries);
+  const auto count = static_cast<vtkIdType>(cells.size());
+  winding::refuseBeyondFreeMemory(
+    static_cast<double>(
+      winding::bytesOfCellFractions(field, cells.size()) + cells.size() * sizeof(float)),
+    "the fractions of " + std::to_string(count) + " cells", winding::wordsOfProbe.remedies);
+  this->Fractions = vtkSmartPointer<vtkFloatArray>::New();
+  this->Fractions->SetName(winding::fractionName);
+  this->Fractions->SetNumberOfTuples(count);
+  float* const fractions = this->Fractions->GetPointer(0);
+  executor.setShare(this->GetProgressOfSamples(), 1);
+  const winding::CellsWithoutFraction counts = winding::evaluateFractions(field, cells,
+    winding::coreInsideRule(this->InsideRule), this->WindingThreshold, fractions, executor);
+  for (vtkIdType i = 0; this->InsideOut && i < count; ++i)
+  {
+    fractions[i] = 1 - fractions[i];
+  }
+  const auto tell = [&](std::size_t number, const char* what, const char* fact)
+  {
+    if (number > 0)
+    {
+      vtkWarningMacro(<< winding::lineOf(winding::Message(
+                        std::to_string(number) + " of " + std::to_string(count) + " cells " + what,
+                        {}, fact)));
+    }
+  };
+  tell(cells.curved(), "have curved faces", "fractions take them as straight between corners");
+  tell(counts.flat, "have no volume", "their fraction is 1 or 0, as their middle is inside or not");
+  tell(counts.nowhere, "are empty or not finite", "they have no fraction");
+}
+
+void vtkWindingNumberProbe::AddLeafArrays(vtkDataSet* answer, const winding::ProbeLeaf& leaf) const
+{
+  if (!this->Fractions)
+  {
+    return;
+  }
+  vtkSmartPointer<vtkFloatArray> part = this->Fractions;
+  const vtkIdType count = leaf.data->GetNumberOfCells();
+  if (count != part->GetNumberOfTuples())
+  {
+    part = vtkSmartPointer<vtkFloatArray>::New();
+    part->SetName(winding::fractionName);
+    part->SetNumberOfTuples(count);
+    part->InsertTuples(0, count, leaf.firstCell, this->Fractions);
+  }
+  answer->GetCellData()->AddArray(part);
 }
 
 void vtkWindingNumberProbe::AddArrays(
@@ -89,6 +175,7 @@ void vtkWindingNumberProbe::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateWindingNumber: " << this->GenerateWindingNumber << "\n";
   os << indent << "GenerateInside: " << this->GenerateInside << "\n";
   os << indent << "GenerateSignedDistance: " << this->GenerateSignedDistance << "\n";
+  os << indent << "GenerateFraction: " << this->GenerateFraction << "\n";
   os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "ExtractInside: " << this->ExtractInside << "\n";

@@ -4,8 +4,8 @@
  *
  * Port 0 takes the data set that says where to evaluate, any vtkDataSet or a composite of them.
  * Port 1 takes the source, a surface or an oriented point cloud (see vtkWindingNumberAlgorithm).
- * The output is a shallow copy of port 0 with the array "WindingNumber" and, if asked for, "Inside"
- * and "SignedDistance"; ExtractInside keeps only the part of it that is inside. The ports are as
+ * The output is a shallow copy of port 0 with the array "WindingNumber" and, if asked for, "Inside",
+ * "SignedDistance" and the share of each cell, "Fraction"; ExtractInside keeps only the part of it that is inside. The ports are as
  * for vtkPointInterpolator. The filter does what vtkSelectEnclosedPoints does, but on surfaces that
  * need not be closed.
  *
@@ -42,6 +42,8 @@
 #define vtkWindingNumberProbe_h
 
 #include "vtkWindingNumberProbeAlgorithm.h"
+
+class vtkFloatArray;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberProbe : public vtkWindingNumberProbeAlgorithm
 {
@@ -94,6 +96,26 @@ public:
   ///@}
 
   ///@{
+  /// Whether to add the cell array "Fraction" (float): the share of the volume of each cell that is
+  /// inside, or outside if InsideOut is on, whatever ProbeAssociation is.
+  ///
+  /// Cells may be linear ones of any type, polyhedra, convex sets of points, and those of images
+  /// and grids; ghost cells get theirs, too. Faces that are not planar count as the triangles
+  /// around the mean of their corners, and cells with curved faces as straight between their
+  /// corners, which a warning says. A cell without volume has 1 or 0, as its middle is inside or
+  /// not, which a warning says, too; one with points that are NaN or infinite, and an empty one, has
+  /// NaN.
+  ///
+  /// For closed surfaces fractions are exact up to rounding to float, however many solids overlap,
+  /// so that fractions times volumes add up to the volume of what is inside. For others the level
+  /// of w is taken to be planar in about a sixteenth of a cell, which costs a thousand samples in
+  /// each cell at holes of a surface or on a cloud. Default off.
+  vtkSetMacro(GenerateFraction, vtkTypeBool);
+  vtkGetMacro(GenerateFraction, vtkTypeBool);
+  vtkBooleanMacro(GenerateFraction, vtkTypeBool);
+  ///@}
+
+  ///@{
   /// The name of the array of w. Default "WindingNumber".
   vtkSetStringMacro(ResultArrayName);
   vtkGetStringMacro(ResultArrayName);
@@ -136,9 +158,17 @@ protected:
   bool WantsDistances() const override { return this->GenerateSignedDistance != 0; }
   bool SamplesCells() const override { return this->ProbeAssociation == CELLS; }
   bool KeepsPart() const override { return this->ExtractInside != 0; }
+  bool UsesCells() const override { return this->KeepsPart() || this->GenerateFraction != 0; }
   const winding::ProbeWords& GetWords() const override;
   winding::ResultOptions GetResultOptions() const override;
   vtkSmartPointer<vtkDataObject> NewOutput(vtkDataObject* input) const override;
+  double GetProgressOfSamples() const override { return this->GenerateFraction ? 0.3 : 1; }
+  std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void EvaluateMore(const winding::Field& field, const winding::ProbeQueries& queries,
+    winding::SmpExecutor& executor) override;
+  void AddLeafArrays(vtkDataSet* answer, const winding::ProbeLeaf& leaf) const override;
   void AddArrays(const winding::ResultArrays& results, vtkDataSetAttributes* ofAll) const override;
   vtkSmartPointer<vtkDataSet> PartOf(
     vtkDataSet* data, const winding::ProbeLeaf& leaf, const unsigned char* inside) override;
@@ -147,10 +177,15 @@ protected:
   vtkTypeBool GenerateWindingNumber = 1;
   vtkTypeBool GenerateInside = 0;
   vtkTypeBool GenerateSignedDistance = 0;
+  vtkTypeBool GenerateFraction = 0;
   char* ResultArrayName = nullptr;
   int OutputScalarType = VTK_FLOAT;
   vtkTypeBool ExtractInside = 0;
   char* InsideArrayName = nullptr;
+
+private:
+  vtkIdType CellsToFill = 0;                ///< of the input, if they get fractions
+  vtkSmartPointer<vtkFloatArray> Fractions; ///< of the cells of all data sets; null between updates
 };
 
 #endif

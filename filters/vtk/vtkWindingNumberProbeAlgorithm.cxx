@@ -178,11 +178,11 @@ int vtkWindingNumberProbeAlgorithm::RequestData(
   {
     // Made in any case, for IsInside(), but kept out of the output, where no name counts.
     options.insideName.clear();
-    options.withInside = options.withValues || options.withDistances || this->KeepsPart();
+    options.withInside = options.withValues || options.withDistances || this->UsesCells();
   }
   this->QueriesRefused = true; // unless the next line comes to its end
   const winding::ProbeQueries queries(
-    input, this->SamplesCells(), this->KeepsPart(), this->GetWords());
+    input, this->SamplesCells(), this->UsesCells(), this->GetWords());
   this->QueriesRefused = false;
   this->QueriesAreGrid = queries.grid().has_value();
   *this->Frame = queries.frame();
@@ -233,6 +233,7 @@ void vtkWindingNumberProbeAlgorithm::EvaluateSamples(const winding::Field& field
       {
         field.evaluate(queries.samples(), output, executor);
       }
+      this->EvaluateMore(field, queries, executor);
       executor.setShare(progress, progress);
       this->TellSides(field, sides.counts(static_cast<std::size_t>(queries.size())), executor);
     });
@@ -297,6 +298,13 @@ void vtkWindingNumberProbeAlgorithm::TellEmpty()
   }
 }
 
+void vtkWindingNumberProbeAlgorithm::EvaluateMore(
+  const winding::Field&, const winding::ProbeQueries&, winding::SmpExecutor&)
+{
+}
+
+void vtkWindingNumberProbeAlgorithm::AddLeafArrays(vtkDataSet*, const winding::ProbeLeaf&) const {}
+
 void vtkWindingNumberProbeAlgorithm::FinishSamples(
   const winding::Field&, const winding::ProbeQueries&, const unsigned char*)
 {
@@ -318,6 +326,7 @@ vtkSmartPointer<vtkDataSet> vtkWindingNumberProbeAlgorithm::AnswerTo(
     attributes = answer->GetCellData();
   }
   queries.addPart(leaf, ofAll, attributes);
+  this->AddLeafArrays(answer, leaf);
   if (this->KeepsPart())
   {
     answer = this->PartOf(answer, leaf, this->InsideFlags->GetPointer(0) + leaf.first);

@@ -100,6 +100,9 @@ protected:
   /// Returns whether the output is a part of the data set, so that its cells are used.
   virtual bool KeepsPart() const = 0;
 
+  /// Returns whether anything is done with the cells of the data set.
+  virtual bool UsesCells() const { return this->KeepsPart(); }
+
   /// Returns how refusals speak of what the filter does.
   virtual const winding::ProbeWords& GetWords() const = 0;
 
@@ -112,6 +115,13 @@ protected:
   /// Returns the progress when all samples are evaluated. What a filter does after that has the
   /// rest.
   virtual double GetProgressOfSamples() const { return 1; }
+
+  /// Evaluates what else there is, from the progress of samples on, within the limit of time.
+  virtual void EvaluateMore(const winding::Field& field, const winding::ProbeQueries& queries,
+    winding::SmpExecutor& executor);
+
+  /// Adds to the answer for a leaf what is not an array of samples.
+  virtual void AddLeafArrays(vtkDataSet* answer, const winding::ProbeLeaf& leaf) const;
 
   /// Does the rest of the evaluation, before any output is written. `inside` has an entry for each
   /// sample.

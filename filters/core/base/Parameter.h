@@ -56,6 +56,7 @@ enum class Parameter
   generateWindingNumber,
   generateInside,
   generateSignedDistance,
+  generateFraction,
   distanceBand,
   resultArrayName,
   insideArrayName,

@@ -80,6 +80,7 @@ void addTo(ContentHash& hash, const ResultOptions& options)
   hash.addValue(options.withInside);
   hash.addValue(options.withDistances);
   hash.addValue(options.withCoverage);
+  hash.addValue(options.withFraction);
   hash.addValue(options.scalarType);
   hash.addText(options.name);
   hash.addText(options.insideName);
@@ -95,7 +96,8 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
   }
   const std::string name = options.name.empty() ? "WindingNumber" : options.name;
   checkNames({{options.withValues, name}, {options.withInside, options.insideName},
-    {options.withDistances, distanceName}, {options.withCoverage, coverageName}});
+    {options.withDistances, distanceName}, {options.withCoverage, coverageName},
+    {options.withFraction, fractionName}});
   refuseBeyondFreeMemory(bytesOf(options, samples),
     "the result of " + std::to_string(samples) + " samples", options.remedies);
   if (options.withValues)

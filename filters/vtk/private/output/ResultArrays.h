@@ -17,12 +17,16 @@ namespace winding
 
 class ContentHash;
 
+/// The name of the array with the shares of cells.
+constexpr const char* fractionName = "Fraction";
+
 struct ResultOptions
 {
   bool withValues = true;     ///< an array of w
   bool withInside = false;    ///< an array of 1 inside and 0 outside
   bool withDistances = false; ///< the array "SignedDistance"
   bool withCoverage = false;  ///< the array "Coverage", of floats
+  bool withFraction = false;  ///< the array of cells named fractionName, which the filter makes
   int scalarType = VTK_FLOAT; ///< type of w and of distances: VTK_FLOAT or VTK_DOUBLE
   std::string name;           ///< name of the array of w; empty for "WindingNumber"
   std::string insideName = "Inside";

@@ -104,13 +104,15 @@ std::vector<vtkDataSet*> dataSetsOf(vtkDataObject* queries)
 ProbeQueries::ProbeQueries(
   vtkDataObject* queries, bool atCells, bool areCellsUsed, const ProbeWords& words)
 {
+  vtkIdType cells = 0;
   for (vtkDataSet* data : dataSetsOf(queries))
   {
     (atCells || areCellsUsed ? checkCells : checkUnusedCells)(data, words.dataSet);
     checkArrays(data, words.dataSet);
     const vtkIdType count = atCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
-    leaves_.push_back({data, size_, count});
+    leaves_.push_back({data, size_, count, cells});
     size_ += count;
+    cells += data->GetNumberOfCells();
   }
   if (leaves_.size() == 1)
   {

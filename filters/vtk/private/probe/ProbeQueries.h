@@ -22,6 +22,7 @@ struct ProbeLeaf
 {
   vtkDataSet* data;
   vtkIdType first, count;
+  vtkIdType firstCell; ///< among the cells of all data sets
 };
 
 /**

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace winding
+{
+
+/**
+ * A cell as its corners and faces. The corners of a face are numbers of `points`, counter-clockwise
+ * seen from outside; a cell whose faces are all the other way round is the same cell.
+ */
+struct CellShape
+{
+  std::vector<Eigen::Vector3d> points;
+  std::vector<int> faceCorners;    ///< face after face
+  std::vector<int> faceEnds = {0}; ///< by face, where its corners begin; and the end of the last
+
+  void clear();
+  std::size_t faces() const { return faceEnds.size() - 1; }
+
+  /// Adds a face of `count` corners.
+  void addFace(const int* corners, int count);
+
+  /// Adds the faces of a linear cell with one of VTK's types, whose points are there in VTK's
+  /// order: tetrahedron (10), voxel (11), hexahedron (12), wedge (13), pyramid (14), pentagonal
+  /// prism (15) and hexagonal prism (16). Returns whether it is one of them with enough points.
+  bool addLinearFaces(int type);
+};
+
+/// The cells of a mesh, which may be asked for from several threads at once.
+class CellShapes
+{
+public:
+  virtual ~CellShapes() = default;
+  virtual std::size_t size() const = 0;
+
+  /// Sets `shape` to a cell. A cell of fewer than three dimensions has points and no faces.
+  virtual void get(std::size_t cell, CellShape& shape) const = 0;
+};
+
+} // namespace winding

@@ -1,0 +1,401 @@
+#include "voxels/ConeShare.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Polygons of less than this part of the face are left out, which rounding leaves no sense.
+constexpr double leastArea = 1e-14;
+
+/// Overlaps of less than this part of a polygon are none: neighbors overlap by rounding.
+constexpr double leastOverlap = 1e-9;
+
+/// Corners of a polygon that are nearer than this are one: a side of rounding has no direction.
+constexpr double leastSide = 1e-9;
+
+/// Inverse depths that differ by less than this part of them are equal: triangles on each other.
+constexpr double leastDifference = 1e-10;
+
+double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
+{
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+double doubleAreaOf(const Eigen::Vector3d* corners, std::size_t count)
+{
+  double area = 0;
+  for (std::size_t i = 2; i < count; ++i)
+  {
+    area += cross(corners[0], corners[i - 1], corners[i]);
+  }
+  return area;
+}
+
+Eigen::Vector3d liftedPoint(const Eigen::Vector3d& corner)
+{
+  return {corner[0], corner[1], 1};
+}
+
+/// Returns the line through two corners, as a linear function of (q₁, q₂, 1) that is positive to
+/// their left.
+Eigen::Vector3d lineThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  const double x = a[1] - b[1], y = b[0] - a[0];
+  return {x, y, -(x * a[0] + y * a[1])};
+}
+
+/// Keeps the part of a convex polygon where `distance` of a corner is not negative. The point of a
+/// side where it is 0 is found from the corner that stays, whichever way the side is passed.
+template <class Point, class Distance, class Put>
+void keepPart(const Point* from, std::size_t count, const Distance& distance, const Put& put)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Point &a = from[i], &b = from[i + 1 < count ? i + 1 : 0];
+    const double ofA = distance(a), ofB = distance(b);
+    if (ofA >= 0)
+    {
+      put(a);
+      if (ofB < 0)
+      {
+        put(a + ofA / (ofA - ofB) * (b - a));
+      }
+    }
+    else if (ofB >= 0)
+    {
+      put(b + ofB / (ofB - ofA) * (a - b));
+    }
+  }
+}
+
+/// Whether all corners of one polygon lie to the right of a side of the other.
+template <class Polygon> bool isSeparated(const Polygon& sides, const Polygon& other)
+{
+  for (int i = 0; i < sides.count; ++i)
+  {
+    const Eigen::Vector3d line = lineThrough(
+      sides.corners[std::size_t(i)], sides.corners[std::size_t(i + 1 < sides.count ? i + 1 : 0)]);
+    const auto isOutside = [&line](const Eigen::Vector3d& corner)
+    {
+      return line.dot(liftedPoint(corner)) <= 0;
+    };
+    if (std::all_of(other.corners.begin(), other.corners.begin() + other.count, isOutside))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+double ConeShare::of(
+  const Eigen::Matrix3d& corners, const std::vector<ConeTriangle>& triangles, double winding)
+{
+  polygons_.clear();
+  const Eigen::Matrix3d weights = corners.inverse();
+  const bool isInverted = corners.determinant() < 0;
+  for (const ConeTriangle& triangle : triangles)
+  {
+    this->add(triangle, weights, isInverted);
+  }
+  this->findPairs();
+  double share = isInside(winding, rule_, threshold_) ? 1 : 0;
+  for (std::size_t i = 0; i < polygons_.size(); ++i)
+  {
+    share += this->change(i, winding);
+  }
+  return share;
+}
+
+/// Cuts a triangle off at the four sides of the cone.
+void ConeShare::add(const ConeTriangle& triangle, const Eigen::Matrix3d& weights, bool isInverted)
+{
+  Polygon polygon;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    polygon.whole[i] = weights * triangle.corners[i];
+  }
+  const std::array<Eigen::Vector3d, 3>& whole = polygon.whole;
+  const auto isBeyond = [&whole](const auto& distance)
+  {
+    return distance(whole[0]) < 0 && distance(whole[1]) < 0 && distance(whole[2]) < 0;
+  };
+  const auto first = [](const Eigen::Vector3d& at)
+  {
+    return at[0];
+  };
+  const auto second = [](const Eigen::Vector3d& at)
+  {
+    return at[1];
+  };
+  const auto third = [](const Eigen::Vector3d& at)
+  {
+    return at[2];
+  };
+  const auto face = [](const Eigen::Vector3d& at)
+  {
+    return 1 - at.sum();
+  };
+  if (isBeyond(first) || isBeyond(second) || isBeyond(third) || isBeyond(face))
+  {
+    return;
+  }
+  std::array<Eigen::Vector3d, 8> kept, next;
+  std::size_t count = 3;
+  std::copy(whole.begin(), whole.end(), kept.begin());
+  const auto cut = [&](const auto& distance)
+  {
+    std::size_t left = 0;
+    keepPart(kept.data(), count, distance, [&](const Eigen::Vector3d& at) { next[left++] = at; });
+    kept = next;
+    count = left;
+  };
+  cut(first);
+  cut(second);
+  cut(third);
+  cut(face);
+  if (count < 3)
+  {
+    return;
+  }
+  const auto isOne = [](const Corner& a, const Corner& b)
+  {
+    return (a - b).head<2>().cwiseAbs().maxCoeff() < leastSide;
+  };
+  std::size_t corners = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double sum = kept[i].sum();
+    if (!(sum > 0))
+    {
+      return; // only the apex
+    }
+    const Corner corner(kept[i][0] / sum, kept[i][1] / sum, 1 / sum);
+    if (corners == 0 || !isOne(corner, polygon.corners[corners - 1]))
+    {
+      polygon.corners[corners++] = corner;
+    }
+  }
+  count =
+    corners > 1 && isOne(polygon.corners[0], polygon.corners[corners - 1]) ? corners - 1 : corners;
+  const double area = doubleAreaOf(polygon.corners.data(), count);
+  const Eigen::Vector3d normal = (whole[1] - whole[0]).cross(whole[2] - whole[0]);
+  const double height = normal.dot(whole[0]);
+  if (!(std::abs(area) > leastArea) || height == 0)
+  {
+    return;
+  }
+  polygon.count = static_cast<int>(count);
+  polygon.isTurned = area < 0;
+  if (polygon.isTurned)
+  {
+    std::reverse(polygon.corners.begin(), polygon.corners.begin() + polygon.count);
+  }
+  polygon.doubleArea = std::abs(area);
+  polygon.step = polygon.isTurned == isInverted ? -triangle.multiplicity : triangle.multiplicity;
+  // normal · (q₁, q₂, 1 − q₁ − q₂) / height is the inverse depth.
+  polygon.inverseDepth =
+    Eigen::Vector3d(normal[0] - normal[2], normal[1] - normal[2], normal[2]) / height;
+  polygon.ids = triangle.ids;
+  polygon.low = polygon.high = polygon.corners[0].head<2>().array();
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    polygon.low = polygon.low.min(polygon.corners[i].head<2>().array());
+    polygon.high = polygon.high.max(polygon.corners[i].head<2>().array());
+  }
+  polygons_.push_back(polygon);
+}
+
+/// Finds the polygons that overlap each other, and where they are to be cut.
+void ConeShare::findPairs()
+{
+  const std::size_t count = polygons_.size();
+  if (others_.size() < count)
+  {
+    others_.resize(count);
+    lines_.resize(count);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    others_[i].clear();
+    lines_[i].clear();
+  }
+  order_.resize(count);
+  std::iota(order_.begin(), order_.end(), 0U);
+  std::stable_sort(order_.begin(), order_.end(),
+    [this](std::uint32_t a, std::uint32_t b) { return polygons_[a].low[0] < polygons_[b].low[0]; });
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Polygon& a = polygons_[order_[i]];
+    for (std::size_t j = i + 1; j < count && polygons_[order_[j]].low[0] < a.high[0]; ++j)
+    {
+      const Polygon& b = polygons_[order_[j]];
+      if (b.low[1] < a.high[1] && a.low[1] < b.high[1] && !isSeparated(a, b) && !isSeparated(b, a))
+      {
+        const auto [first, second] = std::minmax(order_[i], order_[j]);
+        this->cutPair(first, second);
+      }
+    }
+  }
+}
+
+void ConeShare::cutPair(std::size_t first, std::size_t second)
+{
+  const Polygon &a = polygons_[first], &b = polygons_[second];
+  std::array<Corner, 20> common, next;
+  std::size_t count = static_cast<std::size_t>(a.count);
+  std::copy(a.corners.begin(), a.corners.begin() + a.count, common.begin());
+  for (int i = 0; i < b.count && count > 2; ++i)
+  {
+    const Eigen::Vector3d line =
+      lineThrough(b.corners[std::size_t(i)], b.corners[std::size_t(i + 1 < b.count ? i + 1 : 0)]);
+    std::size_t left = 0;
+    keepPart(
+      common.data(), count, [&line](const Corner& at) { return line.dot(liftedPoint(at)); },
+      [&](const Corner& at) { next[left++] = at; });
+    common = next;
+    count = left;
+  }
+  const double area = count > 2 ? doubleAreaOf(common.data(), count) : 0;
+  if (!(area > leastOverlap * std::min(a.doubleArea, b.doubleArea)))
+  {
+    return;
+  }
+  others_[first].push_back(static_cast<std::uint32_t>(second));
+  others_[second].push_back(static_cast<std::uint32_t>(first));
+  const Eigen::Vector3d difference = a.inverseDepth - b.inverseDepth;
+  bool isFirstBefore = false, isSecondBefore = false;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double limit = leastDifference * common[i][2];
+    const double value = difference.dot(liftedPoint(common[i]));
+    isFirstBefore = isFirstBefore || value > limit;
+    isSecondBefore = isSecondBefore || value < -limit;
+  }
+  if (isFirstBefore && isSecondBefore)
+  {
+    lines_[first].push_back(difference);
+    lines_[second].push_back(difference);
+  }
+  else if (!isFirstBefore && !isSecondBefore)
+  {
+    const auto cutAtSides = [this](std::size_t of, const Polygon& sides)
+    {
+      for (int i = 0; i < sides.count; ++i)
+      {
+        lines_[of].push_back(lineThrough(sides.corners[std::size_t(i)],
+          sides.corners[std::size_t(i + 1 < sides.count ? i + 1 : 0)]));
+      }
+    };
+    cutAtSides(first, b);
+    cutAtSides(second, a);
+  }
+}
+
+/// Returns by how much a polygon changes the share: the sum over its pieces.
+double ConeShare::change(std::size_t number, double winding)
+{
+  const Polygon& polygon = polygons_[number];
+  const auto count = static_cast<std::size_t>(polygon.count);
+  if (others_[number].empty())
+  {
+    return this->shadowOf(polygon.corners.data(), count, winding, polygon.step);
+  }
+  pieces_.assign(1, Piece(polygon.corners.begin(), polygon.corners.begin() + polygon.count));
+  for (const Eigen::Vector3d& line : lines_[number])
+  {
+    nextPieces_.clear();
+    for (const Piece& piece : pieces_)
+    {
+      for (const double side : {1.0, -1.0})
+      {
+        Piece part;
+        keepPart(
+          piece.data(), piece.size(),
+          [&](const Corner& at) { return side * line.dot(liftedPoint(at)); },
+          [&](const Corner& at) { part.push_back(at); });
+        if (part.size() > 2 && doubleAreaOf(part.data(), part.size()) > leastArea)
+        {
+          nextPieces_.push_back(std::move(part));
+        }
+      }
+    }
+    pieces_.swap(nextPieces_);
+  }
+  double sum = 0;
+  for (const Piece& piece : pieces_)
+  {
+    // Weights without a pattern keep the point off sides of other triangles, where meshes are
+    // regular.
+    constexpr double golden = 0.6180339887498949;
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    double weights = 0;
+    for (std::size_t i = 0; i < piece.size(); ++i)
+    {
+      const double weight = 1 + std::fmod(golden * static_cast<double>(i + 1), 1.0);
+      at += weight * piece[i];
+      weights += weight;
+    }
+    at /= weights;
+    sum +=
+      this->shadowOf(piece.data(), piece.size(), this->before(number, at, winding), polygon.step);
+  }
+  return sum;
+}
+
+/// Returns the part of the cone beyond a piece, if what is inside changes there.
+double ConeShare::shadowOf(const Corner* corners, std::size_t count, double before, int step) const
+{
+  const int change = (isInside(before + step, rule_, threshold_) ? 1 : 0) -
+                     (isInside(before, rule_, threshold_) ? 1 : 0);
+  double volume = 0;
+  for (std::size_t i = 2; change != 0 && i < count; ++i)
+  {
+    // The cone over a triangle is that over its projection, times the three depths.
+    const Corner &a = corners[0], &b = corners[i - 1], &c = corners[i];
+    volume += cross(a, b, c) * (1 - 1 / (a[2] * b[2] * c[2]));
+  }
+  return change * volume;
+}
+
+/// Returns w just before a point of a polygon. A side that two triangles share has the same sign
+/// for both, so a ray near it meets one of them.
+double ConeShare::before(std::size_t number, const Eigen::Vector3d& at, double winding) const
+{
+  const Eigen::Vector3d direction(at[0], at[1], 1 - at[0] - at[1]);
+  for (const std::uint32_t other : others_[number])
+  {
+    const Polygon& polygon = polygons_[other];
+    bool isMet = true;
+    for (std::size_t i = 0; isMet && i < 3; ++i)
+    {
+      const std::size_t j = i < 2 ? i + 1 : 0;
+      const bool isForward = polygon.ids[i] < polygon.ids[j];
+      const Eigen::Vector3d &a = polygon.whole[isForward ? i : j],
+                            &b = polygon.whole[isForward ? j : i];
+      const bool isLeft = (a.cross(b).dot(direction) >= 0) == isForward;
+      isMet = isLeft != polygon.isTurned;
+    }
+    if (isMet)
+    {
+      const double nearness = polygon.inverseDepth.dot(liftedPoint(at));
+      const double difference = nearness - at[2];
+      const bool isBefore =
+        std::abs(difference) <= leastDifference * at[2] ? other < number : difference > 0;
+      winding += isBefore ? polygon.step : 0;
+    }
+  }
+  return winding;
+}
+
+} // namespace winding

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "base/InsideRule.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace winding
+{
+
+/// A triangle that may cross a cone. Its corners are relative to the apex.
+struct ConeTriangle
+{
+  std::array<Eigen::Vector3d, 3> corners;
+  std::array<std::int32_t, 3> ids; ///< of its vertices, which triangles share
+  std::int32_t multiplicity;       ///< how often it counts
+};
+
+/**
+ * The share of a tetrahedron, the cone from an apex over a triangle, that is inside a surface of
+ * triangles: exact up to rounding.
+ *
+ * w(x) − w(apex) is the sum of the crossings of the segment from the apex to x. So a triangle, cut
+ * off by the cone, changes w in its shadow, which is the cone over its projection from the apex to
+ * the face opposite, less the cone over itself. Seen from the apex, the inverse of the depth is
+ * linear over a triangle. Where no ray meets two triangles, the share is 1 or 0 by w(apex), and
+ * each triangle adds its shadow, times the change of what is inside there.
+ *
+ * Triangles that overlap as seen from the apex are cut along the lines where they pass through each
+ * other, or where one lies on another, so that w before each piece is one number, by the
+ * crossings before a point of the piece. For a surface that is closed within the cone this holds
+ * for any rule and any number of solids through each other. Elsewhere w before a piece is taken to
+ * be what it is before that point.
+ *
+ * Takes time in proportion to the triangles, and to the pairs whose boxes overlap as seen from the
+ * apex.
+ */
+class ConeShare
+{
+public:
+  ConeShare(InsideRule rule, double threshold)
+    : rule_(rule)
+    , threshold_(threshold)
+  {
+  }
+
+  /// Returns the share, with rounding below 0 or above 1. `corners` has the face's corners,
+  /// relative to the apex, as columns, and a determinant that is not 0; `winding` is w at the
+  /// apex, which must lie off the triangles.
+  double of(
+    const Eigen::Matrix3d& corners, const std::vector<ConeTriangle>& triangles, double winding);
+
+private:
+  /// A corner as seen from the apex: the weights of the face's first two corners, and the inverse
+  /// of the depth, which is 1 in the face.
+  using Corner = Eigen::Vector3d;
+
+  /// A triangle cut off by the cone, counter-clockwise as seen from the apex.
+  struct Polygon
+  {
+    std::array<Corner, 8> corners;
+    int count;
+    Eigen::Array2d low, high;             ///< its box
+    double doubleArea;                    ///< in units in which the face has 1
+    Eigen::Vector3d inverseDepth;         ///< of its plane, as a linear function of (q₁, q₂, 1)
+    std::array<Eigen::Vector3d, 3> whole; ///< corners of the triangle, as weights
+    std::array<std::int32_t, 3> ids;
+    bool isTurned; ///< whether the corners of `whole` are clockwise
+    int step;      ///< the change of w beyond it
+  };
+  using Piece = std::vector<Corner>;
+
+  void add(const ConeTriangle& triangle, const Eigen::Matrix3d& weights, bool isInverted);
+  void findPairs();
+  void cutPair(std::size_t a, std::size_t b);
+  double change(std::size_t polygon, double winding);
+  double shadowOf(const Corner* corners, std::size_t count, double before, int step) const;
+  double before(std::size_t polygon, const Eigen::Vector3d& at, double winding) const;
+
+  InsideRule rule_;
+  double threshold_;
+  std::vector<Polygon> polygons_;
+  std::vector<std::uint32_t> order_;
+  std::vector<std::vector<std::uint32_t>> others_;  ///< by polygon, those that overlap it
+  std::vector<std::vector<Eigen::Vector3d>> lines_; ///< by polygon, lines to cut it along
+  std::vector<Piece> pieces_, nextPieces_;
+};
+
+} // namespace winding
