@@ -89,6 +89,7 @@ std::size_t vtkWindingNumberProbe::GetAdditionalBytes(const winding::Field& fiel
 int vtkWindingNumberProbe::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  this->Fractions = nullptr; // of a request that was refused
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   this->CellsToFill = this->GenerateFraction ? input->GetNumberOfElements(vtkDataObject::CELL) : 0;
   const int isDone = this->Superclass::RequestData(request, inputs, outputs);
@@ -120,7 +121,7 @@ void vtkWindingNumberProbe::EvaluateMore(
   {
     fractions[i] = 1 - fractions[i];
   }
-  const auto tell = [&](std::size_t number, const char* what, const char* fact)
+  const auto warn = [&](std::size_t number, const char* what, const char* fact)
   {
     if (number > 0)
     {
@@ -129,9 +130,9 @@ void vtkWindingNumberProbe::EvaluateMore(
                         {}, fact)));
     }
   };
-  tell(cells.curved(), "have curved faces", "fractions take them as straight between corners");
-  tell(counts.flat, "have no volume", "their fraction is 1 or 0, as their middle is inside or not");
-  tell(counts.nowhere, "are empty or not finite", "they have no fraction");
+  warn(cells.curved(), "have curved faces", "fractions take them as straight between corners");
+  warn(counts.flat, "have no volume", "their fraction is 1 or 0, as their middle is inside or not");
+  warn(counts.nowhere, "are empty or not finite", "they have no fraction");
 }
 
 void vtkWindingNumberProbe::AddLeafArrays(vtkDataSet* answer, const winding::ProbeLeaf& leaf) const

@@ -4,10 +4,10 @@
  *
  * Port 0 takes the data set that says where to evaluate, any vtkDataSet or a composite of them.
  * Port 1 takes the source, a surface or an oriented point cloud (see vtkWindingNumberAlgorithm).
- * The output is a shallow copy of port 0 with the array "WindingNumber" and, if asked for, "Inside",
- * "SignedDistance" and the share of each cell, "Fraction"; ExtractInside keeps only the part of it that is inside. The ports are as
- * for vtkPointInterpolator. The filter does what vtkSelectEnclosedPoints does, but on surfaces that
- * need not be closed.
+ * The output is a shallow copy of port 0 with the array "WindingNumber" and, if asked for,
+ * "Inside", "SignedDistance", and the cell array "Fraction"; ExtractInside keeps only the part of
+ * it that is inside. The ports are as for vtkPointInterpolator. The filter does what
+ * vtkSelectEnclosedPoints does, but on surfaces that need not be closed.
  *
  * @code
  *   vtkNew<vtkWindingNumberProbe> probe;
@@ -99,11 +99,11 @@ public:
   /// Whether to add the cell array "Fraction" (float): the share of the volume of each cell that is
   /// inside, or outside if InsideOut is on, whatever ProbeAssociation is.
   ///
-  /// Cells may be linear ones of any type, polyhedra, convex sets of points, and those of images
-  /// and grids; ghost cells get theirs, too. Faces that are not planar count as the triangles
-  /// around the mean of their corners, and cells with curved faces as straight between their
-  /// corners, which a warning says. A cell without volume has 1 or 0, as its middle is inside or
-  /// not, which a warning says, too; one with points that are NaN or infinite, and an empty one, has
+  /// Cells may be linear ones of any type, polyhedra, convex sets of points, and the cells of
+  /// images and grids; ghost cells stay as they are. Faces that are not planar count as the
+  /// triangles around the mean of their corners, and cells with curved faces as straight between
+  /// their corners, which a warning says. A cell without volume has 1 or 0, as its middle is inside
+  /// or not, which a warning says, too. Empty cells, and those at points that are not finite, have
   /// NaN.
   ///
   /// For closed surfaces fractions are exact up to rounding to float, however many solids overlap,
