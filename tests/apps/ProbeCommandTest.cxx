@@ -3,11 +3,14 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
+#include "vtkXMLRectilinearGridWriter.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
 #include <gtest/gtest.h>
@@ -288,6 +291,54 @@ TEST_F(ProbeCommand, DataSetsKeepTheirCells)
   const auto lines = split(contentsOf(folder.path("out.csv")), '\n');
   EXPECT_EQ(lines[0], "x,y,z,WindingNumber,Inside");
   EXPECT_EQ(lines.size(), 19u);
+}
+
+TEST_F(ProbeCommand, FractionsAreThoseOfCells)
+{
+  vtkNew<vtkRectilinearGrid> cells;
+  cells->SetDimensions(4, 3, 3);
+  vtkNew<vtkDoubleArray> x, yz;
+  for (const double coordinate : {-2, -1, 0, 2})
+  {
+    x->InsertNextValue(coordinate);
+  }
+  for (const double coordinate : {-2, 0, 2})
+  {
+    yz->InsertNextValue(coordinate);
+  }
+  cells->SetXCoordinates(x);
+  cells->SetYCoordinates(yz);
+  cells->SetZCoordinates(yz);
+  const std::string grid = folder.path("grid.vtr");
+  vtkNew<vtkXMLRectilinearGridWriter> writer;
+  writer->SetFileName(grid.c_str());
+  writer->SetInputData(cells);
+  writer->Write();
+  const Outcome run = probe(grid, "out.vtu", {"--fraction"});
+  ASSERT_EQ(run.status, 0) << run;
+  EXPECT_EQ(run.err, "");
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(folder.path("out.vtu").c_str());
+  reader->Update();
+  vtkDataArray* fractions = reader->GetOutput()->GetCellData()->GetArray("Fraction");
+  ASSERT_NE(fractions, nullptr);
+  ASSERT_EQ(fractions->GetNumberOfTuples(), 12);
+  const double volumes[] = {4, 4, 8};
+  double inside = 0;
+  for (vtkIdType i = 0; i < 12; ++i)
+  {
+    inside += volumes[i % 3] * fractions->GetTuple1(i);
+  }
+  EXPECT_NEAR(inside, 4 * 3.14159 / 3, 0.11) << "the sphere has few triangles";
+  EXPECT_EQ(fractions->GetTuple1(0), 0);
+  EXPECT_NEAR(fractions->GetTuple1(2), inside / 8 / 8, 1e-6);
+
+  const Outcome table = probe(grid, "out.csv", {"--fraction"});
+  EXPECT_EQ(table.status, 1) << table;
+  EXPECT_TRUE(table.saysInOneLine({"--fraction", "suffix .vtu"})) << table;
+  const Outcome points = probe(folder.write("q.csv", "x,y,z\n0,0,0\n"), "o.vtp", {"--fraction"});
+  EXPECT_EQ(points.status, 1) << points;
+  EXPECT_TRUE(points.saysInOneLine({"--fraction", "give a mesh"})) << points;
 }
 
 TEST_F(ProbeCommand, DistancesAreOneColumnMore)

@@ -173,7 +173,7 @@ ProbeAnswer dealtAnswer(
 ProbeAnswer probeOnAllRanks(
   vtkWindingNumberProbe& probe, vtkDataSet* queries, const Options& options, Messages& messages)
 {
-  if (!parallel::isAlone() && !probe.GetExtractInside())
+  if (!parallel::isAlone() && !probe.GetExtractInside() && !probe.GetGenerateFraction())
   {
     parallel::agreeOnFirst([&] { checkQueries(queries, options, messages); });
     return dealtAnswer(probe, queries, options, messages);

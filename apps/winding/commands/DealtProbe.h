@@ -19,7 +19,8 @@ struct ProbeAnswer
 /**
  * Executes a probe, which has all properties and its source, on queries that the first rank has;
  * only that one gets the answer, which is in their order. The queries are dealt out to all ranks as
- * bare points, unless the probe extracts what is inside: then the first rank answers for all.
+ * bare points, unless the probe extracts what is inside or fills cells: then the first rank
+ * answers for all.
  * Throws Failure on all ranks. Collective.
  */
 ProbeAnswer probeOnAllRanks(

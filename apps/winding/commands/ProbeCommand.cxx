@@ -155,6 +155,7 @@ void runProbe(const Options& options, Messages& messages)
   applyMethod(options, probe);
   probe->GenerateInsideOn();
   probe->SetGenerateSignedDistance(options.distance);
+  probe->SetGenerateFraction(options.fraction);
   probe->SetResultArrayName(options.array.c_str());
   probe->SetOutputScalarTypeToDouble();
   probe->SetInsideOut(options.insideOut);

@@ -205,6 +205,10 @@ void addProbe(CLI::App& app, Options& options)
       "Write only what is inside: cells with all their points, points without cells, rows of "
       "tables")
     ->group("Output");
+  probe
+    ->add_flag("--fraction", options.fraction,
+      "Add the cell array Fraction: the share of each cell of the points' mesh that is inside")
+    ->group("Output");
   addDistance(probe, options);
   addArrayName(probe, options);
   addMethod(probe, options);

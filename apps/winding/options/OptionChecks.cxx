@@ -309,6 +309,12 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
   {
     checkOutput(
       options.output, options.command, {".vtp", ".vtu", ".csv", ".tsv", ".vti", ".vtr", ".vts"});
+    requireUsage(!options.fraction || !isTable(options.output),
+      "--fraction is for cells, and " + suffixOf(options.output) +
+        " has none; give the output the suffix .vtu or leave it out");
+    requireUsage(!options.fraction || !hasColumns(options.queries),
+      "--fraction is for cells, and the points of " + suffixOf(options.queries) +
+        " have none; give a mesh or leave it out");
   }
   else if (options.command == "labels")
   {

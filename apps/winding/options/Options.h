@@ -54,6 +54,7 @@ struct Options
   bool insideOnly = false;
   bool insideOut = false;
   bool extract = false;
+  bool fraction = false;
   bool distance = false;
   double distanceBand = 0;
   double mergeTolerance = 0.01;
