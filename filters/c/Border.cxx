@@ -60,35 +60,6 @@ template <class View> View viewOf(const winding_array& array, std::int64_t width
   throw Misuse(std::string(name) + ".type is no type of floating-point numbers");
 }
 
-/// An array of ids of either type.
-class Ids
-{
-public:
-  Ids(const winding_array& array, std::int64_t width, const char* name)
-    : array_(array)
-    , stride_(array.stride == 0 ? width : array.stride)
-  {
-    checkArray(array, width, name);
-    if (array.rows > 0 && array.type != WINDING_INT32 && array.type != WINDING_INT64)
-    {
-      throw Misuse(std::string(name) + ".type is no type of ids");
-    }
-  }
-
-  std::size_t rows() const { return static_cast<std::size_t>(array_.rows); }
-
-  std::int64_t operator()(std::size_t row, std::size_t column) const
-  {
-    const std::size_t place = row * static_cast<std::size_t>(stride_) + column;
-    return array_.type == WINDING_INT32 ? static_cast<const std::int32_t*>(array_.data)[place]
-                                        : static_cast<const std::int64_t*>(array_.data)[place];
-  }
-
-private:
-  const winding_array& array_;
-  std::int64_t stride_;
-};
-
 /// The setting that a message is about, or that it proposes first.
 const Setting* settingOf(const Message& message)
 {
@@ -103,6 +74,17 @@ const Setting* settingOf(const Message& message)
 }
 
 } // namespace
+
+Ids::Ids(const winding_array& array, std::int64_t width, const char* name)
+  : array_(array)
+  , stride_(array.stride == 0 ? width : array.stride)
+{
+  checkArray(array, width, name);
+  if (array.rows > 0 && array.type != WINDING_INT32 && array.type != WINDING_INT64)
+  {
+    throw Misuse(std::string(name) + ".type is no type of ids");
+  }
+}
 
 void copyText(const std::string& text, char* to, std::size_t size)
 {

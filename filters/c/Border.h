@@ -102,6 +102,27 @@ VectorsView vectorsOf(const winding_array& array, const char* name);
 ScalarsView scalarsOf(const winding_array& array, const char* name);
 ///@}
 
+/// An array of ids of either type.
+class Ids
+{
+public:
+  /// Keeps a reference. Throws Misuse as vectorsOf() does, for rows of `width` ids.
+  Ids(const winding_array& array, std::int64_t width, const char* name);
+
+  std::size_t rows() const { return static_cast<std::size_t>(array_.rows); }
+
+  std::int64_t operator()(std::size_t row, std::size_t column) const
+  {
+    const std::size_t place = row * static_cast<std::size_t>(stride_) + column;
+    return array_.type == WINDING_INT32 ? static_cast<const std::int32_t*>(array_.data)[place]
+                                        : static_cast<const std::int64_t*>(array_.data)[place];
+  }
+
+private:
+  const winding_array& array_;
+  std::int64_t stride_;
+};
+
 /// The faces of a caller as triangles.
 class Triangles
 {

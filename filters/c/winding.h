@@ -454,6 +454,45 @@ extern "C"
     winding_array points, const winding_rule* rule, winding_values* values, const winding_run* run,
     winding_refusal* refusal);
 
+  /** The cells of a mesh over its points, whose ids count from 0, as VTK has them. */
+  typedef struct winding_cells
+  {
+    /**
+     * Rows of one WINDING_UINT8 with VTK's numbers: 10 tetrahedron, 11 voxel, 12 hexahedron,
+     * 13 wedge, 14 pyramid, 15 and 16 prisms of five and six sides, 42 polyhedron. Cells of any
+     * other type have no volume. No gaps.
+     */
+    winding_array types;
+    /**
+     * Rows of one: the ids of all cells, in VTK's order. A polyhedron has the number of its faces,
+     * then of each face the number of its points and their ids. No gaps.
+     */
+    winding_array corners;
+    /** Rows of one: where each cell begins in corners, and where the last one ends. No gaps. */
+    winding_array offsets;
+  } winding_cells;
+
+  /**
+   * Finds the share of each cell of a mesh that is inside: exact for closed surfaces, so that
+   * shares times volumes add up to the volume of what is inside.
+   *
+   * @param field the field
+   * @param points three coordinates in each row
+   * @param cells the cells. Faces that are not planar count as triangles around the mean of their
+   *   corners
+   * @param rule what is inside; null for the defaults
+   * @param fractions receives a number of 0 to 1 for each cell: 1 or 0 for a cell without volume,
+   *   as its middle is inside or not, and NaN where a point is not finite or there is none
+   * @param run null for the defaults
+   * @param refusal receives why the call was refused, unless it is null
+   *
+   * Warns of cells without volume, and of those that are not finite. Refuses cells with too few
+   * points, and ids of points that do not exist.
+   */
+  WINDING_API winding_status winding_cell_fractions(const winding_field* field,
+    winding_array points, const winding_cells* cells, const winding_rule* rule, float* fractions,
+    const winding_run* run, winding_refusal* refusal);
+
   /** The differences of values from the sum over all primitives, which is slow and exact. */
   typedef struct winding_verification
   {

@@ -121,18 +121,17 @@ void vtkWindingNumberProbe::EvaluateMore(
   {
     fractions[i] = 1 - fractions[i];
   }
-  const auto warn = [&](std::size_t number, const char* what, const char* fact)
+  std::vector<winding::Message> warnings = winding::warningsOf(counts, cells.size());
+  if (cells.curved() > 0)
   {
-    if (number > 0)
-    {
-      vtkWarningMacro(<< winding::lineOf(winding::Message(
-                        std::to_string(number) + " of " + std::to_string(count) + " cells " + what,
-                        {}, fact)));
-    }
-  };
-  warn(cells.curved(), "have curved faces", "fractions take them as straight between corners");
-  warn(counts.flat, "have no volume", "their fraction is 1 or 0, as their middle is inside or not");
-  warn(counts.nowhere, "are empty or not finite", "they have no fraction");
+    warnings.emplace_back(
+      std::to_string(cells.curved()) + " of " + std::to_string(count) + " cells have curved faces",
+      std::vector<winding::Remedy>(), "fractions take them as straight between corners");
+  }
+  if (!warnings.empty())
+  {
+    vtkWarningMacro(<< winding::lineOf(warnings));
+  }
 }
 
 void vtkWindingNumberProbe::AddLeafArrays(vtkDataSet* answer, const winding::ProbeLeaf& leaf) const

@@ -67,6 +67,12 @@ struct Arguments
   winding_rule rule;
   winding_options options;
   winding_run run;
+  std::vector<std::uint8_t> types = {10, 42};
+  std::vector<std::int64_t> corners = {
+    0, 1, 2, 3, 4, 3, 0, 2, 1, 3, 0, 1, 3, 3, 1, 2, 3, 3, 2, 0, 3};
+  std::vector<std::int64_t> offsets = {0, 4, 21};
+  winding_cells cells = {{types.data(), 2, 0, WINDING_UINT8},
+    {corners.data(), 21, 0, WINDING_INT64}, {offsets.data(), 3, 0, WINDING_INT64}};
   TemporaryFile meshFile, tableFile;
   OwnedMesh readMesh, readTable;
   winding_field* madeField = nullptr;
@@ -104,6 +110,12 @@ inline const Call allCalls[] = {
     {
       return winding_evaluate_points(
         a.field.get(), a.points, &a.rule, &a.values, &a.run, &a.refusal);
+    }},
+  {"winding_cell_fractions",
+    [](Arguments& a)
+    {
+      return winding_cell_fractions(
+        a.field.get(), a.points, &a.cells, &a.rule, a.floats.data(), &a.run, &a.refusal);
     }},
   {"winding_level_surface",
     [](Arguments& a)

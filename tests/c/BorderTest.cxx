@@ -73,11 +73,13 @@ TEST(Border, IsThatOfTheHeader)
 
 TEST(Border, RefusesWhatIsNoArray)
 {
-  const std::string points = "winding_faces winding_points winding_evaluate_points winding_solids "
-                             "winding_open_parts winding_faults winding_vertices winding_examine "
-                             "winding_orient winding_examine_points "
-                             "winding_orient_normals winding_estimate_normals "
-                             "winding_point_areas winding_weld winding_complete";
+  const std::string points =
+    "winding_faces winding_points winding_evaluate_points winding_cell_fractions "
+    "winding_solids "
+    "winding_open_parts winding_faults winding_vertices winding_examine "
+    "winding_orient winding_examine_points "
+    "winding_orient_normals winding_estimate_normals "
+    "winding_point_areas winding_weld winding_complete";
   expectMisuse([](Arguments& a) { a.points.data = nullptr; }, points);
   expectMisuse([](Arguments& a) { a.points.type = WINDING_INT32; }, points);
   expectMisuse([](Arguments& a) { a.points.type = 99; }, points);
@@ -86,6 +88,14 @@ TEST(Border, RefusesWhatIsNoArray)
   expectMisuse([](Arguments& a) { a.points.stride = -3; }, points);
   expectMisuse(
     [](Arguments& a) { a.points.stride = std::numeric_limits<std::int64_t>::max() / 2; }, points);
+  const std::string cells = "winding_cell_fractions";
+  expectMisuse([](Arguments& a) { a.cells.types.data = nullptr; }, cells);
+  expectMisuse([](Arguments& a) { a.cells.types.type = WINDING_INT32; }, cells);
+  expectMisuse([](Arguments& a) { a.cells.types.rows = -1; }, cells);
+  expectMisuse([](Arguments& a) { a.cells.types.stride = 2; }, cells);
+  expectMisuse([](Arguments& a) { a.cells.corners.type = WINDING_FLOAT32; }, cells);
+  expectMisuse([](Arguments& a) { a.cells.offsets.rows = 2; }, cells);
+  expectMisuse([](Arguments& a) { a.offsets[1] = 22; }, cells);
   const std::string polygons = "winding_faces winding_solids winding_open_parts winding_faults "
                                "winding_vertices winding_examine winding_orient winding_complete";
   expectMisuse([](Arguments& a) { a.polygons.corners.data = nullptr; }, polygons);
@@ -98,14 +108,14 @@ TEST(Border, RefusesStructsWithoutASizeAndNullPointers)
   expectMisuse(
     [](Arguments& a) { a.values.size = 0; }, "winding_evaluate_grid winding_evaluate_points");
   expectMisuse([](Arguments& a) { a.rule.size = 3; },
-    "winding_evaluate_grid winding_evaluate_points winding_level_surface winding_boolean "
-    "winding_label");
+    "winding_evaluate_grid winding_evaluate_points winding_cell_fractions winding_level_surface "
+    "winding_boolean winding_label");
   expectMisuse([](Arguments& a) { a.options.size = 0; },
     "winding_faces winding_points winding_estimate_normals winding_point_areas winding_complete "
     "winding_complete_bounds");
   expectMisuse([](Arguments& a) { a.field.reset(); },
-    "winding_evaluate_grid winding_evaluate_points winding_level_surface winding_boolean "
-    "winding_label");
+    "winding_evaluate_grid winding_evaluate_points winding_cell_fractions winding_level_surface "
+    "winding_boolean winding_label");
   const auto spoilGrid = "winding_evaluate_grid winding_level_surface winding_boolean "
                          "winding_voxel_surface winding_label";
   expectMisuse([](Arguments& a) { a.grid.dimensions[2] = 0; }, spoilGrid);

@@ -159,6 +159,68 @@ TEST(SamplePoints, HaveValuesDistancesAndGradients)
   EXPECT_EQ(distances[1], 0.75);
 }
 
+TEST(Cells, HaveTheShareOfThemThatIsInside)
+{
+  const Field field = fieldOf(shapes::cube());
+  // A hexahedron, a quadrilateral, a tetrahedron, and its polyhedron.
+  const std::vector<Point> points = {{0.5, 0.5, 0.75}, {1.5, 0.5, 0.75}, {1.5, 1.5, 0.75},
+    {0.5, 1.5, 0.75}, {0.5, 0.5, 1.75}, {1.5, 0.5, 1.75}, {1.5, 1.5, 1.75}, {0.5, 1.5, 1.75},
+    {0.5, 0.5, std::nan("")}};
+  std::vector<std::uint8_t> types = {12, 9, 10, 42, 10, 42};
+  std::vector<std::int32_t> corners = {0, 1, 2, 3, 4, 5, 6, 7, 0, 0, 0, 1, 0, 1, 3, 4, //
+    4, 3, 0, 3, 1, 3, 0, 1, 4, 3, 1, 3, 4, 3, 3, 0, 4, 0, 1, 3, 8};
+  std::vector<std::int64_t> offsets = {0, 8, 12, 16, 33, 37, 37};
+  const auto cells = [&]() -> winding_cells
+  {
+    return {{types.data(), static_cast<int64_t>(types.size()), 0, WINDING_UINT8},
+      {corners.data(), static_cast<int64_t>(corners.size()), 0, WINDING_INT32},
+      {offsets.data(), static_cast<int64_t>(offsets.size()), 0, WINDING_INT64}};
+  };
+  std::vector<float> fractions(types.size());
+  std::string warnings;
+  auto run = with(winding_run_init);
+  run.user = &warnings;
+  run.warn = [](const char* text, void* user)
+  {
+    *static_cast<std::string*>(user) += text;
+  };
+  winding_cells given = cells();
+  ASSERT_EQ(winding_cell_fractions(
+              field.get(), arrayOf(points), &given, nullptr, fractions.data(), &run, nullptr),
+    WINDING_OK);
+  EXPECT_FLOAT_EQ(fractions[0], 0.0625F);
+  EXPECT_EQ(fractions[1], 1) << "its middle is inside";
+  // A square of ¼ less a corner of z²/2, from z = 0 to ¼, times 6.
+  EXPECT_NEAR(fractions[2], 0.359375F, 1e-6F);
+  EXPECT_EQ(fractions[3], fractions[2]);
+  EXPECT_TRUE(std::isnan(fractions[4]));
+  EXPECT_TRUE(std::isnan(fractions[5]));
+  EXPECT_NE(warnings.find("1 of 6 cells have no volume"), std::string::npos) << warnings;
+  EXPECT_NE(warnings.find("2 of 6 cells are empty or not finite"), std::string::npos) << warnings;
+
+  const auto expectRefused = [&](const std::string& words)
+  {
+    winding_refusal refusal = {};
+    given = cells();
+    EXPECT_EQ(winding_cell_fractions(
+                field.get(), arrayOf(points), &given, nullptr, fractions.data(), nullptr, &refusal),
+      WINDING_REFUSED);
+    EXPECT_NE(std::string(refusal.text).find(words), std::string::npos) << refusal.text;
+  };
+  corners[12] = 9;
+  expectRefused("cell 2 refers to point 9 of 9");
+  corners[12] = 0;
+  corners[18] = -1;
+  expectRefused("cell 3 refers to point -1 of 9");
+  corners[18] = 0;
+  corners[16] = 5;
+  expectRefused("cell 3 is a polyhedron with another number of faces");
+  corners[17] = 99;
+  expectRefused("cell 3 is a polyhedron with a face that does not end");
+  types[2] = 14;
+  expectRefused("cell 2 has 4 points");
+}
+
 TEST(SamplePoints, MayBeAskedForByManyThreadsAtOnce)
 {
   const Mesh soup = shapes::triangleSoup(2000, 3902);

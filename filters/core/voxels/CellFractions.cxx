@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace winding
@@ -727,6 +728,23 @@ CellsWithoutFraction evaluateFractions(const Field& field, const CellShapes& cel
   double threshold, float* fractions, Executor& executor)
 {
   return Evaluation(field, cells, rule, threshold, executor).run(fractions);
+}
+
+std::vector<Message> warningsOf(const CellsWithoutFraction& counts, std::size_t cells)
+{
+  std::vector<Message> messages;
+  const auto add = [&](std::size_t count, const char* what, const char* fact)
+  {
+    if (count > 0)
+    {
+      messages.emplace_back(
+        std::to_string(count) + " of " + std::to_string(cells) + " cells " + what,
+        std::vector<Remedy>(), fact);
+    }
+  };
+  add(counts.flat, "have no volume", "their fraction is 1 or 0, as their middle is inside or not");
+  add(counts.nowhere, "are empty or not finite", "they have no fraction");
+  return messages;
 }
 
 std::size_t bytesOfCellFractions(const Field& field, std::size_t cells)

@@ -2,10 +2,12 @@
 
 #include "base/Executor.h"
 #include "base/InsideRule.h"
+#include "base/Message.h"
 #include "field/Field.h"
 #include "voxels/CellShape.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace winding
 {
@@ -49,6 +51,9 @@ struct CellsWithoutFraction
  */
 CellsWithoutFraction evaluateFractions(const Field& field, const CellShapes& cells, InsideRule rule,
   double threshold, float* fractions, Executor& executor);
+
+/// Returns warnings where the fraction of some of `cells` cells is no share of a volume.
+std::vector<Message> warningsOf(const CellsWithoutFraction& counts, std::size_t cells);
 
 /// Returns the memory of evaluateFractions() for `cells` cells, in addition to the field at a
 /// sample for each.
