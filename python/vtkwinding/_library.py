@@ -49,6 +49,10 @@ class Polygons(ctypes.Structure):
     _fields_ = [("corners", Array), ("offsets", Array)]
 
 
+class Cells(ctypes.Structure):
+    _fields_ = [("types", Array), ("corners", Array), ("offsets", Array)]
+
+
 class Grid(ctypes.Structure):
     _fields_ = [("origin", _double * 3), ("spacing", _double * 3), ("dimensions", _int32 * 3)]
 
@@ -252,6 +256,11 @@ def polygons_of(corners, offsets=None):
     if len(offsets) > 1 and offsets[0] == 0 and (np.diff(offsets) == 3).all():
         return Polygons(array_of(corners[:offsets[-1]].reshape(-1, 3)), array_of(None))
     return Polygons(array_of(corners), array_of(offsets))
+
+
+def cells_of(types, corners, offsets):
+    """Cells as the library takes them. The arrays must outlive the call."""
+    return Cells(array_of(types), array_of(corners), array_of(offsets))
 
 
 def warn(text):

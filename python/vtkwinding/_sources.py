@@ -420,6 +420,7 @@ class SourceField(Field):
     """The field of a source. Takes the options of Field that are no arrays."""
 
     at, on_grid, level_surface = Field._at, Field._on_grid, Field._level_surface
+    fractions_of = Field._fractions
 
     def __init__(self, source, **options):
         self.source, self.options = source, {**DEFAULTS, **options}

@@ -24,6 +24,7 @@ from numpy.typing import ArrayLike
 
 from . import (
     _booleans,
+    _cells,
     _clouds,
     _datasets,
     _grids,
@@ -506,12 +507,44 @@ class WindingAccessor:
 
     @_with_options
     def sample(self, surface: pv.DataObject, *, association: str = "point",
-               progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.DataObject:
+               fraction: bool = False, progress_bar: bool = False,
+               **options: Unpack[SourceOptions]) -> pv.DataObject:
         """A copy with the array 'WindingNumber' of a surface, at the points of this mesh or at the
-        centres of its cells."""
+        centres of its cells.
+
+        fraction adds the cell array 'Fraction', the share of each cell that is inside: for closed
+        surfaces, shares times volumes add up to the volume of what is inside. A cell without volume
+        has 1 or 0, as its middle is inside or not.
+        """
+        adds_fractions = _options.flag("fraction", fraction)
         values = self._probe(surface, {"winding": np.dtype("f4")}, progress_bar,
                              "Computing winding numbers", options, association)
-        return _fill(_copied(self._mesh), values, {"WindingNumber": "winding"}, association)
+        copy = _fill(_copied(self._mesh), values, {"WindingNumber": "winding"}, association)
+        if adds_fractions:
+            self._add_fractions(copy, surface, progress_bar, options)
+        return copy
+
+    def _add_fractions(self, copy, surface, progress_bar, options):
+        """Gives the cells of a copy of this mesh, of all blocks at once, the array 'Fraction'."""
+        field, sides = accessor_of(surface)._field(options, "surface")
+        leaves = [leaf for leaf in _leaves(copy) if isinstance(leaf, pv.DataSet)]
+        made = [_cells.cells_of(leaf) for leaf in leaves]
+        if not made:
+            return
+        points, types, corners, offsets, curved = zip(*made)
+        ids, starts = [], [np.zeros(1, np.int64)]
+        for of_leaf, before in zip(made, np.cumsum([0] + [len(some) for some in points])):
+            ids.append(_cells.shifted(*of_leaf[1:4], before))
+            starts.append(of_leaf[3][1:] + starts[-1][-1])
+        if sum(curved):
+            _library.warn(f"{sum(curved)} of {sum(map(len, types))} cells have curved faces: "
+                          "fractions take them as straight between corners")
+        with bar(progress_bar, "Computing fractions") as show:
+            fractions = field.fractions_of(
+                np.ascontiguousarray(np.concatenate(points), float), np.concatenate(types),
+                np.concatenate(ids), np.concatenate(starts), sides, show=show)
+        for leaf, part in zip(leaves, np.split(fractions, np.cumsum([len(t) for t in types])[:-1])):
+            leaf.cell_data["Fraction"] = part
 
     @_with_options
     def labels(self, *, scalars: str | None = None, overlap: str = "first",

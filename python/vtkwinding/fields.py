@@ -306,6 +306,36 @@ class Field:
         """The gradient of the winding number at points (N, 3), in 1/length: (N, 3) floats."""
         return self._one_at(points, "gradient", np.dtype("f8"), self._sides())
 
+    def _fractions(self, points, types, corners, offsets, sides, show=None):
+        fractions = np.empty(len(types), np.float32)
+        cells = _library.cells_of(types, corners, offsets)
+        _library.call("winding_cell_fractions", self._handle(True), _library.array_of(points),
+                      ctypes.byref(cells), ctypes.byref(sides.rule),
+                      ctypes.c_void_p(fractions.ctypes.data), _library.RUN, show=show, **sides.run)
+        return fractions
+
+    def fractions(self, points: ArrayLike, types: ArrayLike, corners: ArrayLike,
+                  offsets: ArrayLike) -> FloatArray:
+        """The share of each cell of a mesh over points (N, 3) that is inside: (C,) floats.
+
+        For closed surfaces shares times volumes add up to the volume of what is inside. types (C,)
+        are VTK's: 10 tetrahedron, 11 voxel, 12 hexahedron, 13 wedge, 14 pyramid, 15 and 16 prisms,
+        42 polyhedron. corners[offsets[i]:offsets[i + 1]] are the ids of cell i; a polyhedron has the
+        number of its faces, then of each face the number of its points and their ids. These are
+        celltypes, cell_connectivity and offset of PyVista's UnstructuredGrid without polyhedra.
+        A cell without volume has 1 or 0, as its middle is inside or not.
+        """
+        places = _numbers.vectors("points", points, finite=False)
+        kinds = np.ascontiguousarray(types)
+        ids, starts = (np.ascontiguousarray(array) for array in (corners, offsets))
+        for name, array in (("types", kinds), ("corners", ids), ("offsets", starts)):
+            if array.ndim != 1 or array.dtype.kind not in "iu" and array.size:
+                raise TypeError(f"{name} must be integers in one dimension")
+        if kinds.size and (kinds.min() < 0 or kinds.max() > 255):
+            raise ValueError("types must be 0 to 255")
+        return self._fractions(places, kinds.astype(np.uint8), ids.astype(np.int64),
+                               starts.astype(np.int64), self._sides())
+
     def _grid(self, reach=0, **wishes):
         """The grid of the library for wishes, over the source and what is within reach of it."""
         def bounds():

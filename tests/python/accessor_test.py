@@ -345,6 +345,44 @@ class AccessorTest(Warned):
         with self.assertRaisesRegex(TypeError, "other must be a surface"):
             one.winding.boolean_union(3)
 
+    def test_fractions_add_up_to_the_volume(self):
+        mesh = ball()
+        image = pv.ImageData(dimensions=(8, 9, 10), spacing=(0.2, 0.17, 0.15), origin=(-0.7,) * 3)
+        grid = image.cast_to_unstructured_grid()
+        voxels = grid.cell_connectivity.reshape(-1, 8)
+        sets = pv.UnstructuredGrid(np.insert(voxels, 0, 8, axis=1).ravel(),
+                                   np.full(len(voxels), 41), grid.points)
+        faces = ((0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6))
+        streams = [[6] + [number for face in faces for number in (4, *ids[list(face)])]
+                   for ids in voxels]
+        polyhedra = pv.UnstructuredGrid(
+            np.concatenate([[len(stream), *stream] for stream in streams]),
+            np.full(len(voxels), 42), grid.points)
+        expected = image.winding.sample(mesh, fraction=True)["Fraction"]
+        self.assertAlmostEqual(expected.sum() * 0.2 * 0.17 * 0.15, mesh.volume, 5)
+        for cells in (grid, image.cast_to_structured_grid(), image.cast_to_rectilinear_grid()):
+            result = cells.winding.sample(mesh, association="cell", fraction=True)
+            np.testing.assert_allclose(result.cell_data["Fraction"], expected, atol=1e-5)
+            self.assertIn("WindingNumber", result.cell_data)
+        for cells in (sets, polyhedra):
+            result = cells.winding.sample(mesh, fraction=True)
+            np.testing.assert_allclose(result.cell_data["Fraction"], expected, atol=1e-5)
+            self.assertIn("WindingNumber", result.point_data)
+        tetrahedra = image.to_tetrahedra()
+        result = tetrahedra.winding.sample(mesh, fraction=True)
+        volumes = np.abs(tetrahedra.compute_cell_sizes()["Volume"])
+        self.assertAlmostEqual((volumes * result["Fraction"]).sum(), mesh.volume, 5)
+        blocks = pv.MultiBlock([polyhedra, image, None, polyhedra])
+        for block in (0, 1, 3):
+            np.testing.assert_allclose(
+                blocks.winding.sample(mesh, fraction=True)[block]["Fraction"], expected, atol=1e-5)
+        with self.assertWarnsRegex(vtkwinding.WindingWarning, "have no volume"):
+            mesh.winding.sample(mesh, fraction=True)
+        with self.assertWarnsRegex(vtkwinding.WindingWarning, "1 of 1 cells have curved faces"):
+            pv.examples.cells.QuadraticTetrahedron().winding.sample(mesh, fraction=True)
+        with self.assertRaisesRegex(TypeError, "fraction"):
+            image.winding.sample(mesh, fraction="yes")
+
     def test_labels_are_those_of_bodies(self):
         pair = ball() + ball().translate((2, 0, 0))
         blocks = pv.MultiBlock({"first": ball(), "second": ball().translate((2, 0, 0))})

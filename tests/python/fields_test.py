@@ -209,6 +209,33 @@ class FunctionsTest(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "list of Field"):
             vtkwinding.labels([CORNERS])
 
+    def test_fractions_of_cells(self):
+        field = Field(CORNERS, CUBE)
+        places = np.concatenate([0.5 * CORNERS + 0.75, [[5, 5, 5]]])  # in VTK's order of a voxel
+        faces = ((0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6))
+        polyhedron = [6]
+        for face in faces:
+            polyhedron += [4, *face]
+        corners = [*range(8), *polyhedron, 0, 8]
+        offsets = [0, 8, 8 + len(polyhedron), 10 + len(polyhedron)]
+        with self.assertWarnsRegex(vtkwinding.WindingWarning, "1 of 3 cells have no volume"):
+            found = field.fractions(places, [11, 42, 3], corners, offsets)
+        self.assertEqual(found.dtype, np.float32)
+        np.testing.assert_allclose(found, [0.125, 0.125, 0], rtol=1e-6)
+        two = Field(np.concatenate([CORNERS, CORNERS + 0.25]), np.concatenate([CUBE, CUBE + 8]),
+                    threshold=1.5)
+        np.testing.assert_allclose(
+            two.fractions(places.astype("f4"), [11], corners[:8], offsets[:2]), [0.125], rtol=1e-6)
+        self.assertEqual(field.fractions(places, [], [], []).shape, (0,))
+        with self.assertRaisesRegex(vtkwinding.WindingError, "cell 0 refers to point 9 of 9"):
+            field.fractions(places, [10], [0, 1, 2, 9], [0, 4])
+        with self.assertRaisesRegex(TypeError, "types must be integers"):
+            field.fractions(places, [10.5], [0, 1, 2, 3], [0, 4])
+        with self.assertRaisesRegex(ValueError, "types must be 0 to 255"):
+            field.fractions(places, [300], [0, 1, 2, 3], [0, 4])
+        with self.assertRaises(vtkwinding.WindingError):
+            field.fractions(places, [10], [0, 1, 2, 3], [0, 5])
+
     def test_booleans(self):
         cubes = [Field(CORNERS, CUBE), Field(CORNERS + [0.5, 0.25, 0.25], CUBE)]
         common = 0.5 * 0.75 * 0.75

@@ -1,0 +1,84 @@
+"""The cells of data sets of VTK as libwinding takes them."""
+
+import numpy as np
+
+from . import _datasets, _parts
+from ._checks import check_cells
+from ._outward import POLYHEDRON
+
+_CONVEX_POINT_SET = 41
+# The straight types of curved cells of three dimensions, and how many corners these have.
+_STRAIGHT = {**dict.fromkeys((24, 64, 71, 78), (10, 4)),
+             **dict.fromkeys((25, 29, 33, 67, 72, 79), (12, 8)),
+             **dict.fromkeys((26, 31, 32, 65, 73, 80), (13, 6)),
+             **dict.fromkeys((27, 37, 66, 74, 81), (14, 5))}
+_TETRA_FACES = ((0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1))
+
+
+def cells_of(data):
+    """The points, types, corners and offsets of all cells of a data set, and how many are curved."""
+    check_cells(data, "the data set")
+    grid = data
+    if not data.IsA("vtkUnstructuredGrid"):
+        grid = _datasets.unstructured(data) if data.GetNumberOfCells() else None
+    if grid is None or grid.GetNumberOfCells() == 0:
+        return np.empty((0, 3)), np.empty(0, np.uint8), np.empty(0, np.int64), np.zeros(1, np.int64), 0
+    types = _datasets.cell_types_of(grid)[:grid.GetNumberOfCells()].astype(np.uint8)
+    corners, offsets = (array.astype(np.int64) for array in
+                        _datasets.cells_of(grid, grid.GetCells()))
+    curved = np.isin(types, list(_STRAIGHT))
+    special = np.flatnonzero(curved | np.isin(types, (POLYHEDRON, _CONVEX_POINT_SET)))
+    points = _parts.points_of(data)
+    if special.size:
+        own = {}
+        types = types.copy()
+        for cell in special.tolist():
+            types[cell], own[cell] = _replaced(grid, cell, types[cell], corners, offsets, points)
+        sizes = np.diff(offsets)
+        sizes[special] = [len(own[cell]) for cell in special.tolist()]
+        made = np.concatenate([[0], np.cumsum(sizes)])
+        lists, last = [], 0
+        for cell in special.tolist():
+            lists += [corners[offsets[last]:offsets[cell]], own[cell]]
+            last = cell + 1
+        corners = np.concatenate([*lists, corners[offsets[last]:offsets[-1]]]).astype(np.int64)
+        offsets = made
+    return points, types, np.ascontiguousarray(corners), offsets, int(curved.sum())
+
+
+def _replaced(grid, cell, kind, corners, offsets, points):
+    """The type and the ids of a cell that is no linear one, as the library has them."""
+    ids = corners[offsets[cell]:offsets[cell + 1]]
+    if kind in _STRAIGHT:
+        straight, count = _STRAIGHT[kind]
+        return straight, ids[:count]
+    found = _datasets.class_of(grid, "vtkCommonCore", "vtkIdList")()
+    if kind == POLYHEDRON:
+        grid.GetFaceStream(cell, found)
+        return kind, np.array([found.GetId(i) for i in range(found.GetNumberOfIds())])
+    places = _datasets.class_of(grid, "vtkCommonCore", "vtkPoints")()
+    grid.GetCell(cell).Triangulate(0, found, places)
+    tetrahedra = np.array([found.GetId(i) for i in range(found.GetNumberOfIds())]).reshape(-1, 4)
+    stream = [4 * len(tetrahedra)]
+    for tetrahedron in tetrahedra:
+        a, b, c, d = points[tetrahedron].astype(float)
+        if np.cross(b - a, c - a) @ (d - a) < 0:
+            tetrahedron = tetrahedron[[1, 0, 2, 3]]
+        for face in _TETRA_FACES:
+            stream += [3, *tetrahedron[list(face)].tolist()]
+    return POLYHEDRON, np.array(stream)
+
+
+def shifted(types, corners, offsets, by):
+    """The corners of cells whose points come after `by` others."""
+    if not by or not (types == POLYHEDRON).any():
+        return corners + by
+    moved = corners + by
+    for cell in np.flatnonzero(types == POLYHEDRON).tolist():
+        at, last = offsets[cell], offsets[cell + 1]
+        moved[at] = corners[at]
+        at += 1
+        while at < last:
+            moved[at] = corners[at]
+            at += 1 + corners[at]
+    return moved
