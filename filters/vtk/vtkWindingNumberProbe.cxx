@@ -110,6 +110,13 @@ void vtkWindingNumberProbe::EvaluateMore(
     static_cast<double>(
       winding::bytesOfCellFractions(field, cells.size()) + cells.size() * sizeof(float)),
     "the fractions of " + std::to_string(count) + " cells", winding::wordsOfProbe.remedies);
+  if (cells.curved() > 0)
+  {
+    vtkWarningMacro(<< winding::lineOf(
+                      winding::Message(std::to_string(cells.curved()) + " of " +
+                                         std::to_string(count) + " cells have curved faces",
+                        {}, "fractions take them as straight between corners")));
+  }
   this->Fractions = vtkSmartPointer<vtkFloatArray>::New();
   this->Fractions->SetName(winding::fractionName);
   this->Fractions->SetNumberOfTuples(count);
@@ -121,13 +128,7 @@ void vtkWindingNumberProbe::EvaluateMore(
   {
     fractions[i] = 1 - fractions[i];
   }
-  std::vector<winding::Message> warnings = winding::warningsOf(counts, cells.size());
-  if (cells.curved() > 0)
-  {
-    warnings.emplace_back(
-      std::to_string(cells.curved()) + " of " + std::to_string(count) + " cells have curved faces",
-      std::vector<winding::Remedy>(), "fractions take them as straight between corners");
-  }
+  const std::vector<winding::Message> warnings = winding::warningsOf(counts, cells.size());
   if (!warnings.empty())
   {
     vtkWarningMacro(<< winding::lineOf(warnings));

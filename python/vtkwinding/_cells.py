@@ -1,5 +1,7 @@
 """The cells of data sets of VTK as libwinding takes them."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from . import _datasets, _parts
@@ -15,7 +17,35 @@ _STRAIGHT = {**dict.fromkeys((24, 64, 71, 78), (10, 4)),
 _TETRA_FACES = ((0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1))
 
 
-def cells_of(data):
+class Cells(NamedTuple):
+    """Cells as libwinding takes them, of one data set after the other."""
+
+    points: np.ndarray
+    types: np.ndarray
+    corners: np.ndarray
+    offsets: np.ndarray
+    curved: int  # how many have curved faces
+    ends: list[int]  # by data set, how many cells it and those before have
+
+
+def all_cells_of(leaves):
+    """The cells of data sets, with points of their own."""
+    made = [_cells_of(leaf) for leaf in leaves]
+    points, ids, offsets = [np.empty((0, 3))], [np.empty(0, np.int64)], [np.zeros(1, np.int64)]
+    before = 0
+    for places, types, corners, starts, _ in made:
+        points.append(places)
+        ids.append(_shifted(types, corners, starts, before))
+        offsets.append(starts[1:] + offsets[-1][-1])
+        before += len(places)
+    types = [np.empty(0, np.uint8), *(of_leaf[1] for of_leaf in made)]
+    return Cells(
+        np.ascontiguousarray(np.concatenate(points), float), np.concatenate(types),
+        np.concatenate(ids), np.concatenate(offsets), sum(of_leaf[4] for of_leaf in made),
+        np.cumsum([len(of_leaf[1]) for of_leaf in made]).tolist())
+
+
+def _cells_of(data):
     """The points, types, corners and offsets of all cells of a data set, and how many are curved."""
     check_cells(data, "the data set")
     grid = data
@@ -69,7 +99,7 @@ def _replaced(grid, cell, kind, corners, offsets, points):
     return POLYHEDRON, np.array(stream)
 
 
-def shifted(types, corners, offsets, by):
+def _shifted(types, corners, offsets, by):
     """The corners of cells whose points come after `by` others."""
     if not by or not (types == POLYHEDRON).any():
         return corners + by

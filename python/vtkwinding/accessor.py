@@ -528,22 +528,14 @@ class WindingAccessor:
         """Gives the cells of a copy of this mesh, of all blocks at once, the array 'Fraction'."""
         field, sides = accessor_of(surface)._field(options, "surface")
         leaves = [leaf for leaf in _leaves(copy) if isinstance(leaf, pv.DataSet)]
-        made = [_cells.cells_of(leaf) for leaf in leaves]
-        if not made:
-            return
-        points, types, corners, offsets, curved = zip(*made)
-        ids, starts = [], [np.zeros(1, np.int64)]
-        for of_leaf, before in zip(made, np.cumsum([0] + [len(some) for some in points])):
-            ids.append(_cells.shifted(*of_leaf[1:4], before))
-            starts.append(of_leaf[3][1:] + starts[-1][-1])
-        if sum(curved):
-            _library.warn(f"{sum(curved)} of {sum(map(len, types))} cells have curved faces: "
-                          "fractions take them as straight between corners")
+        cells = _cells.all_cells_of(leaves)
+        if cells.curved:
+            _library.warn(f"{cells.curved} of {len(cells.types)} cells have curved faces; fractions "
+                          "take them as straight between corners")
         with bar(progress_bar, "Computing fractions") as show:
             fractions = field.fractions_of(
-                np.ascontiguousarray(np.concatenate(points), float), np.concatenate(types),
-                np.concatenate(ids), np.concatenate(starts), sides, show=show)
-        for leaf, part in zip(leaves, np.split(fractions, np.cumsum([len(t) for t in types])[:-1])):
+                cells.points, cells.types, cells.corners, cells.offsets, sides, show=show)
+        for leaf, part in zip(leaves, np.split(fractions, cells.ends[:-1])):
             leaf.cell_data["Fraction"] = part
 
     @_with_options

@@ -40,6 +40,26 @@ class TestProbe(unittest.TestCase):
             iterator.GoToNextItem()
         self.assertEqual(values, [1, 1, 0])
 
+    def test_fractions(self):
+        wavelet = simple.Wavelet()  # voxels of side 1 from -10 to 10
+        ball = unit_sphere(Radius=6.3)
+        probe = simple.WindingNumberProbe(Input=wavelet, Source=ball, GenerateFraction=1)
+        data = result(probe)
+        self.assertIsNotNone(data.GetPointData().GetArray("WindingNumber"))
+        fractions = data.GetCellData().GetArray("Fraction")
+        self.assertEqual(fractions.GetNumberOfTuples(), 20 ** 3)
+        values = [fractions.GetTuple1(i) for i in range(20 ** 3)]
+        surface = result(ball)
+        volume = 0
+        for i in range(surface.GetNumberOfCells()):
+            a, b, c = (surface.GetPoint(surface.GetCell(i).GetPointId(j)) for j in range(3))
+            volume += sum(a[j] * (b[j - 2] * c[j - 1] - b[j - 1] * c[j - 2]) for j in range(3)) / 6
+        self.assertAlmostEqual(sum(values) / volume, 1, places=4)
+        self.assertTrue(any(0.1 < value < 0.9 for value in values))
+        probe.InsideOut = 1
+        outside = result(probe).GetCellData().GetArray("Fraction")
+        self.assertAlmostEqual(outside.GetTuple1(3000), 1 - values[3000], places=6)
+
     def test_inside_out(self):
         points = points_source((0, 0, 0), (2, 0, 0))
         probe = simple.WindingNumberProbe(

@@ -130,6 +130,7 @@ SETTABLE = {
         "InsideOut": (1, "1"),
         "ExtractInside": (1, "1"),
         "InsideArrayName": ("SelectedPoints", "SelectedPoints"),
+        "GenerateFraction": (1, "1"),
     },
     "WindingNumberClip": {**COMMON, "InsideOut": (1, "1")},
     "WindingNumberVoxels": {

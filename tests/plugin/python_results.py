@@ -141,6 +141,8 @@ def of_source(name, mesh, is_cloud):
     image = simple.Wavelet(WholeExtent=[-6, 6, -5, 5, -4, 4])
     note(f"{name} probe", simple.WindingNumberProbe(
         Input=queries, Source=mesh, GenerateInside=1, GenerateSignedDistance=1))
+    note(f"{name} fractions", simple.WindingNumberProbe(
+        Input=image, Source=mesh, GenerateFraction=1, InsideOut=1))
     note(f"{name} probe of an image", simple.WindingNumberProbe(
         Input=image, Source=mesh, ProbeAssociation="Cell Centers", ExtractInside=1, InsideOut=1))
     note(f"{name} probe of a turned image", simple.WindingNumberProbe(

@@ -384,9 +384,10 @@ class ImageAlgorithm(GridAlgorithm):
 
 
 class ResultArrays:
-    """The arrays of a result, a number for each sample, by what properties ask for."""
+    """The arrays of a result, a number for each sample, by what properties ask for. `others` are the
+    names of arrays that the filter adds itself."""
 
-    def __init__(self, filter, count, *, has_inside, has_coverage=False):
+    def __init__(self, filter, count, *, has_inside, has_coverage=False, others=()):
         get = filter.value
         self.filter = filter
         has_values = bool(get("GenerateWindingNumber"))
@@ -402,6 +403,7 @@ class ResultArrays:
                   ("inside", self.inside_name, np.uint8, has_inside),
                   ("winding", name, kind, has_values)]
         names = [array for _, array, _, is_wanted in wanted if is_wanted]
+        names += others
         for array in names:
             if names.count(array) > 1:
                 raise WindingError(f"two arrays of the result are named '{array}': rename one "

@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 
-from vtkwinding import _datasets, _library
+from vtkwinding import _cells, _datasets, _library
 from vtkwinding._errors import WindingError
 from vtkwinding._parts import (
     centres_of,
@@ -210,10 +210,15 @@ class WindingNumberProbe(ProbeAlgorithm):
     def answers(self, leaves, counts, grid, samples):
         at_cells, extracts = self.at_cells(), bool(self.value("ExtractInside"))
         has_inside = bool(self.value("GenerateInside"))
+        adds_fractions = bool(self.value("GenerateFraction"))
         total = sum(counts)
-        results = ResultArrays(self, total, has_inside=has_inside or extracts)
+        results = ResultArrays(self, total, has_inside=has_inside or extracts or adds_fractions,
+                               others=["Fraction"] if adds_fractions else [])
         self.expect(total, "distance" in results.views, results.bytes)
+        if adds_fractions:
+            self.between(0, 0.3)
         self.evaluate_samples(grid, samples, results.values())
+        fractions = self.fractions(leaves) if adds_fractions else None
         if not extracts:
             self.tell_outside(leaves, grid, samples)
         inside = results.views.get("inside")
@@ -235,10 +240,30 @@ class WindingNumberProbe(ProbeAlgorithm):
                     part = copied(array.GetName(), results.views[member][start:start + count])
                     attributes.AddArray(part)
                     attributes.SetActiveScalars(array.GetName())
+            if adds_fractions:
+                answer.GetCellData().AddArray(copied("Fraction", next(fractions)))
             if extracts:
                 answer = inside_part(answer, inside[start:start + count] != 0, at_cells=at_cells)
             self.describe(answer)
             yield answer
+
+
+    def fractions(self, leaves):
+        """The shares of the cells that are inside, leaf by leaf."""
+        cells = _cells.all_cells_of(leaves)
+        if cells.curved:
+            self.warn(f"{cells.curved} of {len(cells.types)} cells have curved faces; fractions take "
+                      "them as straight between corners")
+        points = cells.points if self.frame is None else self.frame.positions(cells.points)
+        found = np.empty(len(cells.types), np.float32)
+        self.between(0.3, 1)
+        before = self.evaluate_seconds
+        self.evaluate("winding_cell_fractions", self.field.pointer,
+                      _library.array_of(np.ascontiguousarray(points)),
+                      ctypes.byref(_library.cells_of(cells.types, cells.corners, cells.offsets)),
+                      ctypes.byref(self.rule()), ctypes.c_void_p(found.ctypes.data), RUN)
+        self.evaluate_seconds += before
+        return iter(np.split(1 - found if self.value("InsideOut") else found, cells.ends[:-1]))
 
 
 @declared
