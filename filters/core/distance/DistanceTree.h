@@ -38,6 +38,12 @@ public:
   /// The node of a number. Node 0 is the root; a tree without items has no nodes.
   const SourceNode& node(std::uint32_t number) const { return tree_.nodes()[number]; }
 
+  /// The number of nodes, whose children stand behind their parents.
+  std::size_t nodes() const { return boxes_.size(); }
+
+  /// The number in the source of an item.
+  std::uint32_t numberOf(std::uint32_t item) const { return tree_.order()[item]; }
+
   /// The tight box of the items of a node.
   const Bounds& box(std::uint32_t node) const { return boxes_[node]; }
 
@@ -50,6 +56,13 @@ public:
 
   /// Sets `nearest` to a point of an item, if that is nearer to the sample.
   void compare(const Eigen::Vector3d& sample, std::uint32_t item, Nearest& nearest) const;
+
+  /// Returns whether an item in a box at this squared distance may be computed to be nearer than
+  /// `nearest`.
+  bool mayHoldNearer(double squared, const Nearest& nearest) const;
+
+  /// Returns the largest distance between two points of the source, in scaled coordinates.
+  double size() const { return size_; }
 
   /// Lists of items that may be nearest to samples, which are empty as yet.
   Candidates noCandidates() const { return Candidates(points_.empty() ? 3 : 1); }
@@ -70,9 +83,6 @@ private:
   template <class Make> void makeItemsAndBoxes(const Make& make, Executor& executor);
 
   void findAmong(const Eigen::Vector3d& sample, const NearItems& items, Nearest& nearest) const;
-
-  /// Whether an item in a box at this squared distance may be computed to be nearer than `nearest`.
-  bool mayHoldNearer(double squared, const Nearest& nearest) const;
 
   double scale_;
   double size_ = 0; ///< no distance of two points of the source is larger

@@ -1,0 +1,95 @@
+#include "distance/NearestNumbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace winding
+{
+
+NearestNumbers::NearestNumbers(const DistanceTree& tree)
+  : tree_(tree)
+  , leastOfNodes_(tree.nodes(), none)
+{
+  for (std::size_t n = leastOfNodes_.size(); n-- > 0;)
+  {
+    const SourceNode& node = tree.node(static_cast<std::uint32_t>(n));
+    std::uint32_t& least = leastOfNodes_[n];
+    for (std::uint32_t i = 0; i < node.children; ++i)
+    {
+      least = std::min(least, leastOfNodes_[node.firstChild + i]);
+    }
+    for (std::uint32_t item = node.begin; node.children == 0 && item < node.end; ++item)
+    {
+      least = std::min(least, tree.numberOf(item));
+    }
+  }
+}
+
+NearestNumbers::Answer NearestNumbers::find(
+  const Eigen::Vector3d* places, std::size_t count, std::uint32_t guess) const
+{
+  Answer answer;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Nearest nearest = {infinite, {0, 0, 0}, none};
+  const bool isAnywhere =
+    std::all_of(places, places + count, [](const Eigen::Vector3d& p) { return p.allFinite(); });
+  for (std::size_t n = 0; n < count && isAnywhere && !tree_.empty(); ++n)
+  {
+    if (guess != none && n == 0)
+    {
+      tree_.compare(places[n], guess, nearest);
+    }
+    tree_.findNearest(places[n], 0, nearest);
+  }
+  answer.item = nearest.item;
+  if (nearest.item == none)
+  {
+    return answer;
+  }
+  const double distance = std::sqrt(nearest.squared);
+  const double reach = distance + 2 * roundingOfOffset(distance, tree_.size());
+  // An item at distance 0 is below the limit, too.
+  const Nearest limit = {std::nextafter(reach * reach, infinite), {0, 0, 0}, none};
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    const std::uint32_t before = answer.number;
+    this->findLeast(places[n], 0, limit, answer.number);
+    answer.place = answer.number < before ? n : answer.place;
+  }
+  return answer;
+}
+
+/// Lowers `least` to the least number of a node's items within a limit.
+void NearestNumbers::findLeast(const Eigen::Vector3d& place, std::uint32_t number,
+  const Nearest& limit, std::uint32_t& least) const
+{
+  if (leastOfNodes_[number] >= least ||
+      !tree_.mayHoldNearer(squaredDistance(tree_.box(number), place), limit))
+  {
+    return;
+  }
+  const SourceNode& node = tree_.node(number);
+  for (std::uint32_t item = node.begin; node.children == 0 && item < node.end; ++item)
+  {
+    Nearest nearest = limit;
+    if (tree_.numberOf(item) < least)
+    {
+      tree_.compare(place, item, nearest);
+    }
+    least = nearest.squared < limit.squared ? tree_.numberOf(item) : least;
+  }
+  // The child with the least number comes first, since that leaves most others out.
+  std::uint32_t children[4];
+  for (std::uint32_t i = 0; i < node.children; ++i)
+  {
+    children[i] = node.firstChild + i;
+  }
+  std::sort(children, children + node.children,
+    [this](std::uint32_t a, std::uint32_t b) { return leastOfNodes_[a] < leastOfNodes_[b]; });
+  for (std::uint32_t i = 0; i < node.children; ++i)
+  {
+    this->findLeast(place, children[i], limit, least);
+  }
+}
+
+} // namespace winding
