@@ -7,6 +7,21 @@
 namespace winding
 {
 
+PlainArray<std::uint8_t> bytesOfColors(const PlainArray<float>& colors)
+{
+  const bool areShares =
+    std::none_of(colors.begin(), colors.end(), [](float color) { return color > 1; });
+  PlainArray<std::uint8_t> bytes(colors.size());
+  std::transform(colors.begin(), colors.end(), bytes.begin(),
+    [areShares](float color)
+    {
+      constexpr float most = 255, half = 0.5F;
+      const float value = areShares ? most * color : color;
+      return static_cast<std::uint8_t>(value > 0 ? std::min(value + half, most) : 0);
+    });
+  return bytes;
+}
+
 CellArrays oneCellOf(std::size_t points)
 {
   CellArrays cells;

@@ -47,12 +47,17 @@ struct VectorArrays
   std::size_t count() const { return (doubles.size() + floats.size()) / 3; }
 };
 
-/// Numbers of the points that mean nothing here, as an intensity.
+/// Numbers of points or polygons that mean nothing here, as an intensity.
 struct OtherNumbers
 {
   std::string name;
-  PlainArray<double> numbers; ///< one for each point
+  PlainArray<double> numbers; ///< one for each point or polygon
+  bool areIntegers = false;   ///< whether the file has no others, as for labels
 };
+
+/// Returns bytes for colours of any numbers: these are 0 to 1, or 0 to 255 where any is larger.
+/// Numbers out of that range become the nearest byte, and NaN 0.
+PlainArray<std::uint8_t> bytesOfColors(const PlainArray<float>& colors);
 
 /// The content of a file of a mesh or of points, in arrays that can be given away without a copy.
 struct MeshArrays
@@ -64,7 +69,10 @@ struct MeshArrays
   int colorComponents = 0;              ///< 3, red, green and blue, or 4, and opacity
   PlainArray<float> textureCoordinates; ///< two for each point; empty if there are none
   std::vector<OtherNumbers> others;     ///< in the order of the file, if they are wanted
-  CellArrays vertices;                  ///< cells of single points or of many
+  PlainArray<std::uint8_t> faceColors;  ///< faceColorComponents for each polygon, if wanted
+  int faceColorComponents = 0;          ///< 3 or 4
+  std::vector<OtherNumbers> faceNumbers; ///< of the polygons, as `others`
+  CellArrays vertices;                   ///< cells of single points or of many
   CellArrays lines;
   CellArrays polygons;
   std::vector<NamedRegions>

@@ -26,7 +26,7 @@ MeshArrays plain(const InputFile& file, const ColumnWishes&, Executor& executor)
 constexpr MeshFormat formats[] = {
   {".ply", readPlyColumns, 0, false},
   {".stl", plain<readStl>, 0, false},
-  {".obj", plain<readObj>, 0, false},
+  {".obj", readObjColumns, 0, false},
   {".off", plain<readOff>, 0, false},
   {".xyz", readPointColumns, 0, true},
   {".pwn", readPointColumns, 0, true},

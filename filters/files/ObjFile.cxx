@@ -187,8 +187,9 @@ Counts countsOf(std::string_view text, RegionStarts& regions)
 class ObjParser
 {
 public:
-  ObjParser(const InputFile& file, Executor& executor)
+  ObjParser(const InputFile& file, bool wantsTexture, Executor& executor)
     : file_(file)
+    , wantsTexture_(wantsTexture)
     , blocks_(file, 0, LineBlocks::usualBytes, LineBlocks::Backslash::joinsLines)
     , starts_(blocks_.count() + 1)
     , regions_(blocks_.count())
@@ -209,6 +210,12 @@ public:
     {
       mesh_.normals = {};
     }
+    if (hasColors_)
+    {
+      mesh_.colors = bytesOfColors(colors_);
+      mesh_.colorComponents = 3;
+    }
+    this->assignTexture();
     this->addRegionsOfAllKinds();
     this->addNotes();
     return std::move(mesh_);
@@ -249,9 +256,110 @@ private:
     }
   }
 
+  /// Returns whether the first vertex has a colour behind its position.
+  bool beginsWithColor() const
+  {
+    std::size_t block = 0;
+    while (starts_[block + 1].items[0] == 0)
+    {
+      ++block;
+    }
+    const TextBlock text = blocks_.read(block);
+    int kind = 0;
+    for (ObjLines lines(text.text()); lines.nextLine();)
+    {
+      if (lines.takeStatement(kind) == Statement::item && kind == 0)
+      {
+        double value = 0;
+        int numbers = 0;
+        while (lines.takeNumber(value))
+        {
+          ++numbers;
+        }
+        return numbers >= 6;
+      }
+    }
+    return false;
+  }
+
+  /// Gives vertices the texture coordinates of their corners, and appends a copy of a vertex for
+  /// each further one.
+  void assignTexture()
+  {
+    if (cornerTexture_.empty())
+    {
+      return;
+    }
+    constexpr std::int64_t none = -1;
+    struct Copy
+    {
+      std::int64_t vertex, texture, next;
+    };
+    const auto vertices = static_cast<std::int64_t>(mesh_.points.count());
+    std::vector<std::int64_t> textures(static_cast<std::size_t>(vertices), none);
+    std::vector<std::int64_t> firstCopies(textures);
+    std::vector<Copy> copies;
+    for (std::size_t i = 0; i < cornerTexture_.size(); ++i)
+    {
+      std::int64_t& corner = mesh_.polygons.connectivity[i];
+      const auto vertex = static_cast<std::size_t>(corner);
+      const std::int64_t texture = cornerTexture_[i];
+      textures[vertex] = textures[vertex] == none ? texture : textures[vertex];
+      if (texture == none || texture == textures[vertex])
+      {
+        continue;
+      }
+      std::int64_t copy = firstCopies[vertex];
+      while (copy != none && copies[static_cast<std::size_t>(copy)].texture != texture)
+      {
+        copy = copies[static_cast<std::size_t>(copy)].next;
+      }
+      if (copy == none)
+      {
+        copy = static_cast<std::int64_t>(copies.size());
+        copies.push_back({corner, texture, firstCopies[vertex]});
+        firstCopies[vertex] = copy;
+      }
+      corner = vertices + copy;
+    }
+    const auto append = [&copies](auto& numbers, std::size_t components)
+    {
+      const std::size_t before = numbers.size();
+      if (before == 0 || copies.empty())
+      {
+        return;
+      }
+      numbers.resize(before + components * copies.size());
+      for (std::size_t i = 0; i < copies.size(); ++i)
+      {
+        std::copy_n(numbers.data() + components * static_cast<std::size_t>(copies[i].vertex),
+          components, numbers.data() + before + components * i);
+      }
+    };
+    append(mesh_.points.doubles, 3);
+    append(mesh_.normals.doubles, 3);
+    append(mesh_.colors, 3);
+    mesh_.textureCoordinates = PlainArray<float>(2 * mesh_.points.count());
+    for (std::size_t i = 0; i < mesh_.points.count(); ++i)
+    {
+      const std::int64_t texture =
+        i < textures.size() ? textures[i] : copies[i - textures.size()].texture;
+      for (std::size_t axis = 0; axis < 2; ++axis)
+      {
+        mesh_.textureCoordinates[2 * i + axis] =
+          texture == none ? 0 : texture_[2 * static_cast<std::size_t>(texture) + axis];
+      }
+    }
+  }
+
   void addNotes()
   {
     const Counts& all = starts_.back();
+    if (lacksColors_)
+    {
+      mesh_.notes.push_back(
+        {"some vertices have no colors", {{"export one for each vertex", {}}}, "they are black"});
+    }
     if (all.freeForms > 0)
     {
       mesh_.notes.push_back({"free-form curves and surfaces are not read",
@@ -280,6 +388,12 @@ private:
     {
       mesh_.normals.doubles = PlainArray<double>(mesh_.points.doubles.size());
     }
+    hasColors_ = this->beginsWithColor();
+    colors_ = PlainArray<float>(hasColors_ ? mesh_.points.doubles.size() : 0);
+    const bool hasTexture = wantsTexture_ && all.items[1] > 0;
+    texture_ = PlainArray<float>(hasTexture ? 2 * static_cast<std::size_t>(all.items[1]) : 0);
+    cornerTexture_ =
+      PlainArray<std::int64_t>(hasTexture ? static_cast<std::size_t>(all.corners[2]) : 0);
     for (int kind = 0; kind < 3; ++kind)
     {
       if (all.cells[kind] > 0)
@@ -339,7 +453,7 @@ private:
 
   void parseItem(ObjLines& lines, const TextBlock& text, int kind, Counts& at)
   {
-    double values[3];
+    double values[3] = {0, 0, 0};
     for (int i = 0; i < leastNumbers[kind]; ++i)
     {
       if (!lines.takeNumber(values[i]))
@@ -355,7 +469,27 @@ private:
     {
       std::memcpy(into + 3 * at.items[kind], values, sizeof values);
     }
+    if (kind == 0 && hasColors_)
+    {
+      this->parseColor(lines, static_cast<std::size_t>(at.items[kind]));
+    }
+    if (kind == 1 && !texture_.empty())
+    {
+      lines.takeNumber(values[1]); // 0 where there is none
+      std::copy_n(values, 2, texture_.data() + 2 * at.items[kind]);
+    }
     ++at.items[kind];
+  }
+
+  void parseColor(ObjLines& lines, std::size_t vertex)
+  {
+    double values[3] = {0, 0, 0};
+    for (double& value : values)
+    {
+      lacksColors_ = !lines.takeNumber(value) || lacksColors_;
+    }
+    std::transform(values, values + 3, colors_.data() + 3 * vertex,
+      [](double value) { return static_cast<float>(value); });
   }
 
   void parseCell(
@@ -366,8 +500,12 @@ private:
     for (std::string_view word = lines.takeCorner(); !word.empty(); word = lines.takeCorner())
     {
       this->requirePlace(at.corners[kind], cornerLimit);
-      into.connectivity[static_cast<std::size_t>(at.corners[kind]++)] =
-        this->parseCorner(lines, text, word, at);
+      const auto corner = static_cast<std::size_t>(at.corners[kind]++);
+      if (kind == 2 && !cornerTexture_.empty())
+      {
+        cornerTexture_[corner] = this->textureOf(word, at);
+      }
+      into.connectivity[corner] = this->parseCorner(lines, text, word, at);
     }
     const std::int64_t corners = at.corners[kind] - first;
     if (corners < leastCorners[kind])
@@ -396,13 +534,21 @@ private:
           " does not exist; there are " + std::to_string(starts_.back().items[0]) +
           ", counted from 1");
     }
-    // Texture coordinates are not used, and normals only where each vertex has its own.
+    // Normals are used only where each vertex has its own.
     if (!parts[2].empty() && normalsFit_ &&
         (!this->findItem(parts[2], 2, at, normal) || normal != vertex))
     {
       normalsFit_ = false;
     }
     return vertex;
+  }
+
+  /// Returns the texture coordinates of a corner, from 0 on, or -1 where there are none.
+  std::int64_t textureOf(std::string_view word, const Counts& at) const
+  {
+    takePart(word);
+    std::int64_t texture = 0;
+    return this->findItem(takePart(word), 1, at, texture) ? texture : -1;
   }
 
   /// Takes the text up to the next slash off a word, and the slash.
@@ -428,19 +574,30 @@ private:
   }
 
   const InputFile& file_;
+  bool wantsTexture_;
   LineBlocks blocks_;
   std::vector<Counts> starts_;        ///< what is in the file before each block; the last is all
   std::vector<RegionStarts> regions_; ///< of each block
   Executor& executor_;
   MeshArrays mesh_;
+  bool hasColors_ = false;
+  PlainArray<float> colors_;               ///< three for each vertex
+  PlainArray<float> texture_;              ///< two for each vt
+  PlainArray<std::int64_t> cornerTexture_; ///< of the corners of polygons
   std::atomic<bool> normalsFit_{false};
+  std::atomic<bool> lacksColors_{false};
 };
 
 } // namespace
 
 MeshArrays readObj(const InputFile& file, Executor& executor)
 {
-  return ObjParser(file, executor).run();
+  return ObjParser(file, false, executor).run();
+}
+
+MeshArrays readObjColumns(const InputFile& file, const ColumnWishes& wishes, Executor& executor)
+{
+  return ObjParser(file, wishes.others, executor).run();
 }
 
 } // namespace winding

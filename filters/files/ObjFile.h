@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "files/ColumnNames.h"
 #include "files/InputFile.h"
 #include "files/MeshArrays.h"
 
@@ -15,8 +16,10 @@ namespace winding
  * Normals (vn) belong to vertices where there are as many of them as vertices, and no corner
  * names the normal of another vertex; else they are left out, with a note where there are no
  * faces. Objects (o), groups (g) and materials (usemtl) are regions of the faces, each by its name,
- * and faces before the first have one without a name. Texture coordinates (vt) and colours are
- * passed over, and so are free-form curves and surfaces, which a note counts.
+ * and faces before the first have one without a name. Colours are the numbers behind the position
+ * of a vertex, red, green and blue, where the first vertex has them; a note says where others do
+ * not. Texture coordinates (vt) are passed over, and so are free-form curves and surfaces, which a
+ * note counts.
  *
  * Throws FileRefusal for files without vertices, vertices, normals and texture coordinates without
  * their numbers, faces with fewer than three corners, and vertices of corners that do not exist.
@@ -26,5 +29,9 @@ namespace winding
  * Technologies, appendix B1.
  */
 MeshArrays readObj(const InputFile& file, Executor& executor);
+
+/// Reads a file as readObj() does. If other numbers are wanted, texture coordinates are read, too:
+/// a vertex whose corners name several is there once for each of these, behind all others.
+MeshArrays readObjColumns(const InputFile& file, const ColumnWishes& wishes, Executor& executor);
 
 } // namespace winding

@@ -35,6 +35,66 @@ void copyParts(
   }
 }
 
+/// The numbers of vertices or faces that have no meaning here but colours.
+class OtherParts
+{
+public:
+  OtherParts(const PlyElement& element, bool withNumbers)
+    : color_(element.color())
+    , areBytes_(!color_.empty() && isInteger(color_[0]->type))
+  {
+    if (withNumbers)
+    {
+      others_ = element.others();
+    }
+  }
+
+  int colorComponents() const { return static_cast<int>(color_.size()); }
+
+  /// Makes arrays for `count` items, which are not set yet.
+  void allocate(
+    std::size_t count, PlainArray<std::uint8_t>& colors, std::vector<OtherNumbers>& numbers)
+  {
+    colors = PlainArray<std::uint8_t>(areBytes_ ? color_.size() * count : 0);
+    shares_ = PlainArray<float>(areBytes_ ? 0 : color_.size() * count);
+    for (OtherNumbers& other : numbers)
+    {
+      other.numbers = PlainArray<double>(count);
+    }
+  }
+
+  void copy(
+    const PlyItems& items, PlainArray<std::uint8_t>& colors, std::vector<OtherNumbers>& numbers)
+  {
+    if (areBytes_)
+    {
+      copyParts(color_, items, colors);
+    }
+    else
+    {
+      copyParts(color_, items, shares_);
+    }
+    for (std::size_t i = 0; i < others_.size(); ++i)
+    {
+      copyParts({others_[i]}, items, numbers[i].numbers);
+    }
+  }
+
+  /// Makes bytes of colours that are real numbers, once all are copied.
+  void finish(PlainArray<std::uint8_t>& colors) const
+  {
+    if (!areBytes_)
+    {
+      colors = bytesOfColors(shares_);
+    }
+  }
+
+private:
+  std::vector<const PlyProperty*> color_, others_;
+  bool areBytes_;
+  PlainArray<float> shares_; ///< colours that are real numbers
+};
+
 /// Three properties of vertices that make a vector.
 class Vector
 {
@@ -127,52 +187,66 @@ private:
   void readVertices(PlyElementReader& reader, const PlyElement& vertex)
   {
     const Vector position(vertex, plyPosition), normal(vertex, plyNormal);
-    const std::vector<const PlyProperty*> color = vertex.color();
+    OtherParts others(vertex, wishes_.others);
     const std::vector<const PlyProperty*> texture = vertex.textureCoordinates();
     const auto count = static_cast<std::size_t>(vertex.count);
-    mesh_.colorComponents = static_cast<int>(color.size());
-    std::vector<const PlyProperty*> others;
+    mesh_.colorComponents = others.colorComponents();
     if (wishes_.others)
     {
-      others = vertex.others();
       mesh_.others = vertex.namedOthers();
     }
     do
     {
       mesh_.points = position.arrays(count);
       mesh_.normals = normal.arrays(count);
-      mesh_.colors = PlainArray<std::uint8_t>(color.size() * count);
       mesh_.textureCoordinates = PlainArray<float>(texture.size() * count);
-      for (OtherNumbers& other : mesh_.others)
-      {
-        other.numbers = PlainArray<double>(count);
-      }
+      others.allocate(count, mesh_.colors, mesh_.others);
     } while (!reader.read(
       [&](const PlyItems& items)
       {
         position.copy(items, mesh_.points);
         normal.copy(items, mesh_.normals);
-        copyParts(color, items, mesh_.colors);
         copyParts(texture, items, mesh_.textureCoordinates);
-        for (std::size_t i = 0; i < others.size(); ++i)
-        {
-          copyParts({others[i]}, items, mesh_.others[i].numbers);
-        }
+        others.copy(items, mesh_.colors, mesh_.others);
       },
       executor_));
+    others.finish(mesh_.colors);
   }
 
   void readFaces(PlyElementReader& reader, const PlyElement& face)
   {
     CellArrays cells;
     const PlyProperty& corners = *face.corners();
+    const bool areWanted = wishes_.others && header_.areAllPolygons(face);
+    OtherParts others(face, areWanted);
+    if (areWanted)
+    {
+      mesh_.faceNumbers = face.namedOthers();
+      mesh_.faceColorComponents = others.colorComponents();
+    }
     do
     {
+      if (areWanted)
+      {
+        others.allocate(static_cast<std::size_t>(face.count), mesh_.faceColors, mesh_.faceNumbers);
+      }
       cells.offsets = PlainArray<std::int64_t>(static_cast<std::size_t>(face.count) + 1);
       cells.offsets[0] = 0;
       cells.connectivity = PlainArray<std::int64_t>(reader.entries());
     } while (!reader.read(
-      [&](const PlyItems& items) { this->copyFaces(items, corners, cells); }, executor_));
+      [&](const PlyItems& items)
+      {
+        this->copyFaces(items, corners, cells);
+        if (areWanted)
+        {
+          others.copy(items, mesh_.faceColors, mesh_.faceNumbers);
+        }
+      },
+      executor_));
+    if (areWanted)
+    {
+      others.finish(mesh_.faceColors);
+    }
     append(
       mesh_.polygons, face.role == PlyRole::strips ? trianglesOfStrips(cells) : std::move(cells));
   }

@@ -38,11 +38,6 @@ const Named* findByName(const std::vector<Named>& candidates, const std::string&
   return found == candidates.end() ? nullptr : &*found;
 }
 
-bool isInteger(PlyNumber type)
-{
-  return type != PlyNumber::float32 && type != PlyNumber::float64;
-}
-
 /// Whether programs call faces by a name. Cells of a mesh with volume have others.
 bool isNameOfFaces(const std::string& name)
 {
@@ -335,9 +330,14 @@ std::vector<const PlyProperty*> PlyElement::color() const
   {
     found = this->findNumbers({"red", "green", "blue"});
   }
-  const bool areBytes = std::all_of(found.begin(), found.end(),
-    [](const PlyProperty* part) { return part->type == PlyNumber::uint8; });
-  return areBytes ? found : std::vector<const PlyProperty*>();
+  const auto areAll = [&found](const auto& has)
+  {
+    return std::all_of(
+      found.begin(), found.end(), [&has](const PlyProperty* part) { return has(part->type); });
+  };
+  const bool areColors = areAll([](PlyNumber type) { return type == PlyNumber::uint8; }) ||
+                         areAll([](PlyNumber type) { return !isInteger(type); });
+  return areColors ? found : std::vector<const PlyProperty*>();
 }
 
 std::vector<const PlyProperty*> PlyElement::textureCoordinates() const
@@ -377,8 +377,9 @@ std::vector<const PlyProperty*> PlyElement::others() const
 
 std::vector<OtherNumbers> PlyElement::namedOthers() const
 {
+  const std::vector<const PlyProperty*> found = this->others();
   std::vector<std::string> names;
-  for (const PlyProperty* const property : this->others())
+  for (const PlyProperty* const property : found)
   {
     names.push_back(property->name);
   }
@@ -388,7 +389,7 @@ std::vector<OtherNumbers> PlyElement::namedOthers() const
   for (const std::string& own :
     namesOfArrays(numbers, names, {"Normals", "RGB", "RGBA", "TCoords"}))
   {
-    arrays.push_back({own, {}});
+    arrays.push_back({own, {}, isInteger(found[arrays.size()]->type)});
   }
   return arrays;
 }
@@ -414,6 +415,13 @@ const PlyProperty* PlyElement::corners() const
 const PlyElement& PlyHeader::vertices() const
 {
   return *findByName(elements, "vertex");
+}
+
+bool PlyHeader::areAllPolygons(const PlyElement& element) const
+{
+  return element.role == PlyRole::faces &&
+         std::count_if(elements.begin(), elements.end(),
+           [](const PlyElement& other) { return other.hasFaces(); }) == 1;
 }
 
 PlyHeader readPlyHeader(const InputFile& file)

@@ -32,6 +32,12 @@ constexpr std::size_t bytesOf(PlyNumber type)
   return bytes[static_cast<std::size_t>(type)];
 }
 
+/// Whether numbers of a type are whole.
+constexpr bool isInteger(PlyNumber type)
+{
+  return type != PlyNumber::float32 && type != PlyNumber::float64;
+}
+
 /// A property of the items of an element: one number, or a list of them behind its length.
 struct PlyProperty
 {
@@ -63,15 +69,15 @@ struct PlyElement
   /// The single numbers of these names; none where any is missing.
   std::vector<const PlyProperty*> findNumbers(const std::vector<const char*>& names) const;
 
-  /// The colour of a vertex: red, green, blue and, where there is one, alpha, from 0 to 255; none
-  /// where they are no single bytes.
+  /// The colour of a vertex or face: red, green, blue and, where there is one, alpha, all bytes or
+  /// all real numbers; none where they are others.
   std::vector<const PlyProperty*> color() const;
 
   /// The two texture coordinates of a vertex, by any of their usual names, both whole numbers or
   /// neither; none where there are none.
   std::vector<const PlyProperty*> textureCoordinates() const;
 
-  /// All other single numbers of a vertex.
+  /// All other single numbers of a vertex or face.
   std::vector<const PlyProperty*> others() const;
 
   /// The names of these numbers, all different, without the numbers.
@@ -105,6 +111,9 @@ struct PlyHeader
 
   /// The element of the vertices, which every header has.
   const PlyElement& vertices() const;
+
+  /// Whether all polygons are the items of an element, which then have its numbers.
+  bool areAllPolygons(const PlyElement& element) const;
 };
 
 /// Reads the header. Throws FileRefusal where the file is not PLY of version 1.0, promises more

@@ -117,6 +117,76 @@ private:
   std::size_t step_ = 0;
 };
 
+/// Makes columns of some properties, one for each of the element, that lead into new arrays.
+class Columns
+{
+public:
+  Columns(const PlyElement& element, std::size_t count)
+    : element_(element)
+    , count_(count)
+    , columns_(element.properties.size())
+  {
+  }
+
+  const Column& operator[](std::size_t property) const { return columns_[property]; }
+
+  template <class Number>
+  void aim(const std::vector<const PlyProperty*>& parts, PlainArray<Number>& numbers)
+  {
+    numbers = PlainArray<Number>(parts.size() * count_);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      columns_[static_cast<std::size_t>(parts[i] - element_.properties.data())] =
+        Column(numbers.data() + i, parts.size());
+    }
+  }
+
+  /// Leads colours into `colors`, or into `shares` where they are real numbers. Returns the number
+  /// of their components.
+  int aimColors(PlainArray<std::uint8_t>& colors, PlainArray<float>& shares)
+  {
+    const std::vector<const PlyProperty*> color = element_.color();
+    if (!color.empty() && isInteger(color[0]->type))
+    {
+      this->aim(color, colors);
+    }
+    else
+    {
+      this->aim(color, shares);
+    }
+    return static_cast<int>(color.size());
+  }
+
+  /// Leads all other single numbers into arrays with their names.
+  void aimOthers(std::vector<OtherNumbers>& numbers)
+  {
+    numbers = element_.namedOthers();
+    const std::vector<const PlyProperty*> others = element_.others();
+    for (std::size_t i = 0; i < others.size(); ++i)
+    {
+      this->aim({others[i]}, numbers[i].numbers);
+    }
+  }
+
+  /// Reads the property of an item, or passes over it.
+  void read(std::size_t property, std::size_t item, LineScanner& words) const
+  {
+    if (columns_[property].isWanted())
+    {
+      columns_[property].set(item, takeNumber(words));
+    }
+    else
+    {
+      passOver(words, element_.properties[property]);
+    }
+  }
+
+private:
+  const PlyElement& element_;
+  std::size_t count_;
+  std::vector<Column> columns_;
+};
+
 /// Reads the elements one behind the other.
 class PlyTextParser
 {
@@ -205,31 +275,15 @@ private:
     {
       return;
     }
-    const std::size_t count = last - first;
-    std::vector<Column> columns(vertex.properties.size());
-    const auto aim = [&](const std::vector<const PlyProperty*>& parts, auto& numbers)
-    {
-      using Numbers = std::decay_t<decltype(numbers)>;
-      numbers = Numbers(parts.size() * count);
-      for (std::size_t i = 0; i < parts.size(); ++i)
-      {
-        columns[static_cast<std::size_t>(parts[i] - vertex.properties.data())] =
-          Column(numbers.data() + i, parts.size());
-      }
-    };
-    aim(vertex.findNumbers(plyPosition), mesh_.points.doubles);
-    aim(vertex.findNumbers(plyNormal), mesh_.normals.doubles);
-    aim(vertex.color(), mesh_.colors);
-    aim(vertex.textureCoordinates(), mesh_.textureCoordinates);
-    mesh_.colorComponents = static_cast<int>(vertex.color().size());
+    Columns columns(vertex, last - first);
+    PlainArray<float> shares;
+    columns.aim(vertex.findNumbers(plyPosition), mesh_.points.doubles);
+    columns.aim(vertex.findNumbers(plyNormal), mesh_.normals.doubles);
+    columns.aim(vertex.textureCoordinates(), mesh_.textureCoordinates);
+    mesh_.colorComponents = columns.aimColors(mesh_.colors, shares);
     if (wishes_.others)
     {
-      mesh_.others = vertex.namedOthers();
-      const std::vector<const PlyProperty*> others = vertex.others();
-      for (std::size_t i = 0; i < others.size(); ++i)
-      {
-        aim({others[i]}, mesh_.others[i].numbers);
-      }
+      columns.aimOthers(mesh_.others);
     }
     lines_.visit(
       first, last,
@@ -237,20 +291,17 @@ private:
       {
         while (part.nextLine())
         {
-          for (std::size_t i = 0; i < columns.size(); ++i)
+          for (std::size_t i = 0; i < vertex.properties.size(); ++i)
           {
-            if (columns[i].isWanted())
-            {
-              columns[i].set(part.number() - first, takeNumber(part.words()));
-            }
-            else
-            {
-              passOver(part.words(), vertex.properties[i]);
-            }
+            columns.read(i, part.number() - first, part.words());
           }
         }
       },
       executor_);
+    if (!shares.empty())
+    {
+      mesh_.colors = bytesOfColors(shares);
+    }
   }
 
   void readFaces(const PlyElement& face, std::size_t first, std::size_t last)
@@ -262,21 +313,32 @@ private:
     CellArrays cells;
     cells.offsets = PlainArray<std::int64_t>(last - first + 1);
     cells.offsets[0] = 0;
+    Columns columns(face, last - first);
+    PlainArray<float> shares;
+    if (wishes_.others && header_.areAllPolygons(face))
+    {
+      mesh_.faceColorComponents = columns.aimColors(mesh_.faceColors, shares);
+      columns.aimOthers(mesh_.faceNumbers);
+    }
     try
     {
-      this->readUniformFaces(face, first, last, cells);
+      this->readUniformFaces(face, first, last, columns, cells);
     }
     catch (const NotUniform&)
     {
-      this->readAnyFaces(face, first, last, cells);
+      this->readAnyFaces(face, first, last, columns, cells);
+    }
+    if (!shares.empty())
+    {
+      mesh_.faceColors = bytesOfColors(shares);
     }
     append(
       mesh_.polygons, face.role == PlyRole::strips ? trianglesOfStrips(cells) : std::move(cells));
   }
 
   /// Reads faces of as many corners as the first one has. Throws NotUniform if others have others.
-  void readUniformFaces(
-    const PlyElement& face, std::size_t first, std::size_t last, CellArrays& cells)
+  void readUniformFaces(const PlyElement& face, std::size_t first, std::size_t last,
+    const Columns& columns, CellArrays& cells)
   {
     std::size_t length = 0;
     lines_.visit(
@@ -299,7 +361,7 @@ private:
         while (part.nextLine())
         {
           const std::size_t entry = length * (part.number() - first);
-          this->readFace(part.words(), face,
+          this->readFace(part.words(), face, columns, part.number() - first,
             [&](std::size_t corners)
             {
               if (corners != length)
@@ -314,7 +376,8 @@ private:
       executor_);
   }
 
-  void readAnyFaces(const PlyElement& face, std::size_t first, std::size_t last, CellArrays& cells)
+  void readAnyFaces(const PlyElement& face, std::size_t first, std::size_t last,
+    const Columns& columns, CellArrays& cells)
   {
     const std::vector<std::size_t> starts = this->countCorners(face, first, last);
     cells.connectivity = PlainArray<std::int64_t>(starts.back());
@@ -325,7 +388,7 @@ private:
         std::size_t entry = starts[block];
         while (part.nextLine())
         {
-          this->readFace(part.words(), face,
+          this->readFace(part.words(), face, columns, part.number() - first,
             [&](std::size_t corners)
             {
               // The file may have changed since its corners were counted.
@@ -378,14 +441,16 @@ private:
 
   /// Reads the present line. place(corners) gives the array for the ids of its corners.
   template <class Place>
-  void readFace(LineScanner& words, const PlyElement& face, const Place& place) const
+  void readFace(LineScanner& words, const PlyElement& face, const Columns& columns,
+    std::size_t item, const Place& place) const
   {
     const std::int64_t vertices = header_.vertices().count;
-    for (const PlyProperty& property : face.properties)
+    const PlyProperty* const list = face.corners();
+    for (std::size_t property = 0; property < face.properties.size(); ++property)
     {
-      if (&property != face.corners())
+      if (&face.properties[property] != list)
       {
-        passOver(words, property);
+        columns.read(property, item, words);
         continue;
       }
       const auto corners = takeCorners(words);

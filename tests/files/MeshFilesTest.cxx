@@ -59,6 +59,45 @@ TEST(ObjFile, WhatIsNotUsedMayNotExist)
   EXPECT_EQ(mesh.normals.count(), 0u);
 }
 
+TEST(ObjFile, ColorsStandBehindPositions)
+{
+  const MeshArrays mesh = parsed(
+    readObj, "vn 0 0 1\nv 0 0 0 1 0.5 0\nv 1 0 0 0 0 0.1 1 # white\nv 0 1 0 0 0 -2\nf 1 2 3\n");
+  EXPECT_EQ(mesh.colorComponents, 3);
+  EXPECT_EQ(std::vector<int>(mesh.colors.begin(), mesh.colors.end()),
+    (std::vector<int>{255, 128, 0, 0, 0, 26, 0, 0, 0}));
+  EXPECT_TRUE(mesh.notes.empty());
+  const MeshArrays bytes = parsed(readObj, "v 0 0 0 255 7 0\nv 1 0 0 1 2 3\nv 0 1 0\n");
+  EXPECT_EQ(std::vector<int>(bytes.colors.begin(), bytes.colors.end()),
+    (std::vector<int>{255, 7, 0, 1, 2, 3, 0, 0, 0}));
+  EXPECT_EQ(bytes.notes.size(), 1u) << "a vertex has no colour";
+  // Four numbers are a position with a weight.
+  EXPECT_TRUE(parsed(readObj, "v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\n").colors.empty());
+}
+
+TEST(ObjFile, VerticesAreThereOnceForEachTextureThatCornersName)
+{
+  const auto wanted = [](const InputFile& file, Executor& executor)
+  {
+    return readObjColumns(file, {{}, true}, executor);
+  };
+  const std::string text =
+    "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 1 1 0 1 1 1\n"
+    "vt 0.5\nvt 1 0.25\nvt 2 3 4\nf 1/1 2/2 3/3\nf 2/3 4 3/-1\nf 2/1 4/9 3/2\n"
+    "f 2/3 4/2 1/1\nl 1 2\n";
+  const MeshArrays mesh = parsed(wanted, text);
+  EXPECT_EQ(vectorOf(mesh.points.doubles),
+    (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0}));
+  EXPECT_EQ(vectorOf(mesh.textureCoordinates),
+    (std::vector<float>{0.5, 0, 1, 0.25, 2, 3, 1, 0.25, 2, 3, 0.5, 0, 1, 0.25}));
+  EXPECT_EQ(mesh.colors.size(), mesh.points.doubles.size());
+  EXPECT_EQ(mesh.colors[3 * 5 + 1], 255) << "the copy of the second vertex is green, too";
+  expectCells(mesh.polygons, {0, 3, 6, 9, 12}, {0, 1, 2, 4, 3, 2, 5, 3, 6, 4, 3, 0});
+  expectCells(mesh.lines, {0, 2}, {0, 1});
+  EXPECT_EQ(parsed(readObj, text).points.count(), 4u);
+  EXPECT_TRUE(parsed(readObj, text).textureCoordinates.empty());
+}
+
 TEST(ObjFile, RegionsAreNamed)
 {
   const MeshArrays mesh = parsed(readObj,

@@ -327,15 +327,84 @@ TEST(PlyFile, ColoursAndTextureCoordinates)
   }
   const MeshArrays none = parsed(readPly,
     head("ascii", "element vertex 1\nproperty float x\n"
-                  "property float y\nproperty float z\nproperty float red\nproperty float green\n"
+                  "property float y\nproperty float z\nproperty float red\nproperty uchar green\n"
                   "property float blue\nproperty list uchar float u\nproperty float v\n") +
-      "1 2 3 0.5 0.5 0.5 1 0.1 0.2\n");
+      "1 2 3 0.5 128 0.5 1 0.1 0.2\n");
   EXPECT_TRUE(none.colors.empty());
   EXPECT_TRUE(none.textureCoordinates.empty());
   const std::string unlike = head("ascii", "element vertex 1\nproperty float x\n"
                                            "property float y\nproperty float z\n"
                                            "property short s\nproperty double t\n");
   EXPECT_TRUE(parsed(readPly, unlike + "1 2 3 4 1000000000.5\n").textureCoordinates.empty());
+}
+
+TEST(PlyFile, ColorsOfRealNumbersBecomeBytes)
+{
+  for (const std::string format : formats)
+  {
+    for (const bool areBytes : {false, true})
+    {
+      SCOPED_TRACE(format + (areBytes ? " 0 to 255" : " 0 to 1"));
+      const std::string header = vertexHead(2, "float") +
+                                 "property double red\nproperty float blue\n"
+                                 "property double green\n";
+      const double unit = areBytes ? 255 : 1;
+      Body body(format);
+      body.add<float>(1).add<float>(2).add<float>(3);
+      body.add<double>(unit).add<float>(-1).add<double>(0.5 * unit).endItem();
+      body.add<float>(1).add<float>(2).add<float>(3);
+      body.add<double>(0.25 * unit).add<float>(0).add<double>(0.1 * unit).endItem();
+      const MeshArrays mesh = parsed(readPly, head(format, header) + body.bytes());
+      EXPECT_EQ(mesh.colorComponents, 3);
+      EXPECT_EQ(std::vector<int>(mesh.colors.begin(), mesh.colors.end()),
+        (std::vector<int>{255, 128, 0, 64, 26, 0}));
+    }
+  }
+}
+
+TEST(PlyFile, NumbersOfFacesAreReadWhereTheyAreWanted)
+{
+  const auto wanted = [](const InputFile& file, Executor& executor)
+  {
+    return readPlyColumns(file, {{}, true}, executor);
+  };
+  for (const std::string format : formats)
+  {
+    for (const bool areUniform : {false, true})
+    {
+      SCOPED_TRACE(format + (areUniform ? " triangles" : " polygons"));
+      Body body(format);
+      for (int i = 0; i < 4; ++i)
+      {
+        body.add<float>(1).add<float>(2).add<float>(3).endItem();
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        body.add<std::int32_t>(7 * i).add<std::uint8_t>(i).add<std::uint8_t>(2);
+        body.addList("uchar", "int", areUniform || i != 1 ? Ids{0, 1, 2} : Ids{0, 1, 2, 3});
+        body.add<std::uint8_t>(250).add<float>(0.5f + i).endItem();
+      }
+      const std::string file =
+        head(format, vertexHead(4, "float") +
+                       "element face 3\nproperty int label\nproperty uchar red\n"
+                       "property uchar green\nproperty list uchar int vertex_indices\n"
+                       "property uchar blue\nproperty float quality\n") +
+        body.bytes();
+      const MeshArrays mesh = parsed(wanted, file);
+      EXPECT_EQ(mesh.polygons.count(), 3u);
+      EXPECT_EQ(mesh.faceColorComponents, 3);
+      EXPECT_EQ(std::vector<int>(mesh.faceColors.begin(), mesh.faceColors.end()),
+        (std::vector<int>{0, 2, 250, 1, 2, 250, 2, 2, 250}));
+      ASSERT_EQ(mesh.faceNumbers.size(), 2u);
+      EXPECT_EQ(mesh.faceNumbers[0].name, "label");
+      EXPECT_TRUE(mesh.faceNumbers[0].areIntegers);
+      EXPECT_EQ(vectorOf(mesh.faceNumbers[0].numbers), (std::vector<double>{0, 7, 14}));
+      EXPECT_FALSE(mesh.faceNumbers[1].areIntegers);
+      EXPECT_EQ(vectorOf(mesh.faceNumbers[1].numbers), (std::vector<double>{0.5, 1.5, 2.5}));
+      EXPECT_TRUE(parsed(readPly, file).faceNumbers.empty());
+      EXPECT_TRUE(parsed(readPly, file).faceColors.empty());
+    }
+  }
 }
 
 TEST(PlyFile, OtherNumbersOfVerticesAreReadWhereTheyAreWanted)
@@ -368,6 +437,8 @@ TEST(PlyFile, OtherNumbersOfVerticesAreReadWhereTheyAreWanted)
     EXPECT_EQ(vectorOf(mesh.others[0].numbers), (std::vector<double>{0.5, 1.5, 2.5})) << format;
     EXPECT_EQ(vectorOf(mesh.others[1].numbers), (std::vector<double>{-7, -8, -9})) << format;
     EXPECT_EQ(vectorOf(mesh.others[3].numbers), (std::vector<double>{1, 1, 1})) << format;
+    EXPECT_FALSE(mesh.others[0].areIntegers);
+    EXPECT_TRUE(mesh.others[1].areIntegers);
     EXPECT_TRUE(parsed(readPly, file).others.empty());
   }
 }

@@ -43,6 +43,35 @@ vtkSmartPointer<vtkCellArray> handedOver(CellArrays& cells)
   return array;
 }
 
+/// Returns an array of other numbers, of integers where the file has no others: there is nothing
+/// between two labels.
+vtkSmartPointer<vtkDataArray> handedOver(OtherNumbers& other)
+{
+  vtkSmartPointer<vtkDataArray> array;
+  if (other.areIntegers)
+  {
+    vtkNew<vtkTypeInt64Array> integers;
+    integers->SetNumberOfValues(static_cast<vtkIdType>(other.numbers.size()));
+    std::transform(other.numbers.begin(), other.numbers.end(), integers->GetPointer(0),
+      [](double number) { return static_cast<vtkTypeInt64>(number); });
+    array = integers;
+  }
+  else
+  {
+    array = handedArray<vtkDoubleArray>(other.numbers, 1);
+  }
+  array->SetName(other.name.c_str());
+  return array;
+}
+
+/// Returns an array of colours.
+vtkSmartPointer<vtkUnsignedCharArray> colorsOf(PlainArray<std::uint8_t>& colors, int components)
+{
+  auto array = handedArray<vtkUnsignedCharArray>(colors, components);
+  array->SetName(components == 4 ? "RGBA" : "RGB");
+  return array;
+}
+
 /// Adds the regions of polygons, which are −1 for other cells, and their names.
 void addRegions(NamedRegions& regions, vtkPolyData* output)
 {
@@ -89,9 +118,7 @@ void handOver(MeshArrays& mesh, vtkPolyData* output)
   }
   if (!mesh.colors.empty())
   {
-    const auto colors = handedArray<vtkUnsignedCharArray>(mesh.colors, mesh.colorComponents);
-    colors->SetName(mesh.colorComponents == 4 ? "RGBA" : "RGB");
-    output->GetPointData()->SetScalars(colors);
+    output->GetPointData()->SetScalars(colorsOf(mesh.colors, mesh.colorComponents));
   }
   if (!mesh.textureCoordinates.empty())
   {
@@ -107,9 +134,15 @@ void handOver(MeshArrays& mesh, vtkPolyData* output)
   }
   for (OtherNumbers& other : mesh.others)
   {
-    const auto array = handedArray<vtkDoubleArray>(other.numbers, 1);
-    array->SetName(other.name.c_str());
-    output->GetPointData()->AddArray(array);
+    output->GetPointData()->AddArray(handedOver(other));
+  }
+  if (!mesh.faceColors.empty())
+  {
+    output->GetCellData()->SetScalars(colorsOf(mesh.faceColors, mesh.faceColorComponents));
+  }
+  for (OtherNumbers& other : mesh.faceNumbers)
+  {
+    output->GetCellData()->AddArray(handedOver(other));
   }
   for (NamedRegions& regions : mesh.regions)
   {

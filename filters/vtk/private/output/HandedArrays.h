@@ -31,8 +31,8 @@ vtkSmartPointer<Array> handedArray(PlainArray<Number>& numbers, int components)
 
 /// Hands the arrays of a mesh over to VTK's data: points, cells, and the arrays of points
 /// "Normals", "RGB" or "RGBA", "TCoords", "Area" and other numbers by their names, and of cells,
-/// with names in the field data, "ObjectIds", "GroupIds", "MaterialIds" and "SolidIds", as far as
-/// the mesh has them.
+/// with names in the field data, "ObjectIds", "GroupIds", "MaterialIds" and "SolidIds", colours and
+/// other numbers, as far as the mesh has them.
 void handOver(MeshArrays& mesh, vtkPolyData* output);
 
 /// Makes cells of `size` points each, which are `ids` one after the other.
