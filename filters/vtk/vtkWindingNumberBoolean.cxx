@@ -250,7 +250,8 @@ bool vtkWindingNumberBoolean::GetSourceBounds(vtkDataObject* source, double boun
 std::size_t vtkWindingNumberBoolean::GetAdditionalBytes(const winding::Field& field, vtkIdType)
 {
   double edges = 0;
-  return static_cast<std::size_t>(this->GetBytesOfSurface(field, edges) + this->KeptBytes);
+  return static_cast<std::size_t>(this->GetBytesOfSurface(field, edges) + this->KeptBytes) +
+         this->GetBytesOfNearest(field);
 }
 
 int vtkWindingNumberBoolean::RequestData(
@@ -311,6 +312,7 @@ int vtkWindingNumberBoolean::RequestData(
   }
   this->SetProgressShiftScale(static_cast<double>(count) / (count + 1), 1.0 / (count + 1));
   this->MakeResult(operands, output);
+  this->AddNearest(blocks, output);
   output->GetFieldData()->AddArray(names);
   this->DescribeMethod(output);
   return 1;

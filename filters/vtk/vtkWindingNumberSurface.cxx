@@ -94,6 +94,7 @@ int vtkWindingNumberSurface::RequestData(
   const auto surfaceTree = this->MakeSurface(field, output);
   this->DescribeMethod(output);
   this->CompareWithSource(field, surfaceTree.get(), output);
+  this->AddNearest(source, output);
   this->VerifyWholeGrid(field);
   return 1;
 }
@@ -109,7 +110,7 @@ std::size_t vtkWindingNumberSurface::GetAdditionalBytes(const winding::Field& fi
     ofSurface += ofShape;
     winding::refuseBeyondFreeMemory(ofSurface, "the surface", {winding::largerVoxels()});
   }
-  auto bytes = static_cast<std::size_t>(ofSurface);
+  auto bytes = static_cast<std::size_t>(ofSurface) + this->GetBytesOfNearest(field);
   if (this->FidelitySamples > 0)
   {
     // The surface has about two triangles for each edge of the grid that it crosses.

@@ -10,6 +10,7 @@
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
 #include "private/output/HandedArrays.h"
+#include "private/output/NearestAttributes.h"
 #include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
@@ -129,6 +130,11 @@ void vtkWindingNumberSurfaceAlgorithm::CheckProperties()
   this->Superclass::CheckProperties();
   winding::checkProperty(winding::Parameter::features, this->Features);
   winding::checkProperty(winding::Parameter::outputPointsPrecision, this->OutputPointsPrecision);
+  if (this->TransferAttributes || this->GenerateNearestCells)
+  {
+    winding::refuseNearestOfOtherRanks(
+      this->GetRanks(), winding::sourceDistribution(this->SourceDistribution));
+  }
 }
 
 void vtkWindingNumberSurfaceAlgorithm::HashProperties(winding::ContentHash& hash)
@@ -139,6 +145,8 @@ void vtkWindingNumberSurfaceAlgorithm::HashProperties(winding::ContentHash& hash
   hash.addValue(this->CloseBorder);
   hash.addValue(this->GenerateNormals);
   hash.addValue(this->OutputPointsPrecision);
+  hash.addValue(this->TransferAttributes);
+  hash.addValue(this->GenerateNearestCells);
 }
 
 double vtkWindingNumberSurfaceAlgorithm::GetResultBytes(vtkIdType) const
@@ -293,6 +301,31 @@ void vtkWindingNumberSurfaceAlgorithm::MakePolyData(const winding::LevelEdges& e
   }
 }
 
+std::size_t vtkWindingNumberSurfaceAlgorithm::GetBytesOfNearest(const winding::Field& field) const
+{
+  const winding::FieldInfo& info = field.info();
+  return this->TransferAttributes || this->GenerateNearestCells
+           ? winding::NearestAttributes::bytesFor(info.isSurface, info.inputPrimitives)
+           : 0;
+}
+
+void vtkWindingNumberSurfaceAlgorithm::AddNearest(vtkDataObject* source, vtkPolyData* output)
+{
+  if (!this->TransferAttributes && !this->GenerateNearestCells)
+  {
+    return;
+  }
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(1, 1);
+  const winding::NearestAttributes nearest(source, this->GetSourceOptions(),
+    {this->GenerateNearestCells != 0, this->TransferAttributes != 0}, executor);
+  nearest.addTo(output, executor);
+  if (const auto note = nearest.note())
+  {
+    vtkWarningMacro(<< winding::lineOf(*note));
+  }
+}
+
 void vtkWindingNumberSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -300,5 +333,7 @@ void vtkWindingNumberSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateTriangles: " << this->GenerateTriangles << "\n";
   os << indent << "CloseBorder: " << this->CloseBorder << "\n";
   os << indent << "GenerateNormals: " << this->GenerateNormals << "\n";
+  os << indent << "TransferAttributes: " << this->TransferAttributes << "\n";
+  os << indent << "GenerateNearestCells: " << this->GenerateNearestCells << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

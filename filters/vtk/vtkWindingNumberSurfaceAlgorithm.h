@@ -97,6 +97,37 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Whether the surface takes over what the source has, so that a coloured scan gives a coloured
+   * surface. A vertex gets point data, interpolated within the nearest triangle or copied from the
+   * nearest point of a cloud; a face gets cell data, copied from the cell nearest to its middle.
+   * Floats and colours (three or four bytes) are interpolated; any other array, as of labels, has
+   * nothing in between, and the nearest corner gives its own. Arrays that the surface has already
+   * stay, and what is active in the source becomes active where the surface has none. Names of
+   * regions come along as field data. Of several data sets those arrays are taken that all have; a
+   * warning names others. Default off.
+   */
+  vtkSetMacro(TransferAttributes, vtkTypeBool);
+  vtkGetMacro(TransferAttributes, vtkTypeBool);
+  vtkBooleanMacro(TransferAttributes, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether vertices and faces get the cells of the source that are nearest to them and to their
+   * middles: the array "NearestCell" (vtkIdType) has the id of the cell in its data set, or of the
+   * point of a cloud, and -1 where the source is empty. With composite or several sources
+   * "NearestBlock" (int) has the flat index of the data set; several sources count as blocks of
+   * one. Distances that differ by rounding only are equal, and of equally near cells the first in
+   * the first data set counts. Cells of a source that is mirrored stand for their images. In a
+   * parallel program all ranks need the whole source (REPLICATED). Default off.
+   */
+  vtkSetMacro(GenerateNearestCells, vtkTypeBool);
+  vtkGetMacro(GenerateNearestCells, vtkTypeBool);
+  vtkBooleanMacro(GenerateNearestCells, vtkTypeBool);
+  ///@}
+
+  ///@{
   /// The precision of the points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION or
   /// DEFAULT_PRECISION, which takes double only where single could not separate places to a
   /// ten-thousandth of a voxel: far from the origin, on very fine grids, and beyond the range of
@@ -153,10 +184,18 @@ protected:
     const std::vector<std::uint32_t>* operands, winding::SmpExecutor& executor,
     vtkPolyData* output) const;
 
+  /// Adds what TransferAttributes and GenerateNearestCells ask for.
+  void AddNearest(vtkDataObject* source, vtkPolyData* output);
+
+  /// Returns the memory that this takes for the source of a field, in bytes.
+  std::size_t GetBytesOfNearest(const winding::Field& field) const;
+
   int Features = SMOOTH;
   vtkTypeBool GenerateTriangles = 0;
   vtkTypeBool CloseBorder = 0;
   vtkTypeBool GenerateNormals = 1;
+  vtkTypeBool TransferAttributes = 0;
+  vtkTypeBool GenerateNearestCells = 0;
   int OutputPointsPrecision = DEFAULT_PRECISION;
 
 private:

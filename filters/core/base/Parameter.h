@@ -74,6 +74,8 @@ enum class Parameter
   generateNormals,
   outputPointsPrecision,
   generateDistanceToInput,
+  transferAttributes,
+  generateNearestCells,
   fidelitySamples,
 
   // booleans

@@ -12,10 +12,13 @@
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -25,9 +28,37 @@
 namespace winding
 {
 
-InputViews::InputViews(vtkDataObject* source, const InputOptions& options, Executor* executor)
+namespace
+{
+
+constexpr char numbersName[] = "winding number in data set";
+
+/// Returns a data set with the numbers of its cells and points as arrays, which come along when VTK
+/// makes other data sets of it.
+vtkSmartPointer<vtkPointSet> withNumbers(vtkPointSet* leaf)
+{
+  const auto copy = vtkSmartPointer<vtkPointSet>::Take(leaf->NewInstance());
+  copy->ShallowCopy(leaf);
+  const auto number = [](vtkDataSetAttributes* attributes, vtkIdType count)
+  {
+    vtkNew<vtkIdTypeArray> numbers;
+    numbers->SetName(numbersName);
+    numbers->SetNumberOfValues(count);
+    std::iota(numbers->GetPointer(0), numbers->GetPointer(0) + count, vtkIdType{0});
+    attributes->AddArray(numbers);
+  };
+  number(copy->GetCellData(), leaf->GetNumberOfCells());
+  number(copy->GetPointData(), leaf->GetNumberOfPoints());
+  return copy;
+}
+
+} // namespace
+
+InputViews::InputViews(
+  vtkDataObject* source, const InputOptions& options, Executor* executor, bool keepsNumbers)
   : options_(options)
   , executor_(executor)
+  , keepsNumbers_(keepsNumbers)
 {
   auto* composite = vtkCompositeDataSet::SafeDownCast(source);
   if (composite)
@@ -36,30 +67,31 @@ InputViews::InputViews(vtkDataObject* source, const InputOptions& options, Execu
     for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
     {
       this->addLeaf(iterator->GetCurrentDataObject(),
-        "block " + std::to_string(iterator->GetCurrentFlatIndex()));
+        "block " + std::to_string(iterator->GetCurrentFlatIndex()),
+        iterator->GetCurrentFlatIndex());
     }
   }
   else if (source)
   {
-    this->addLeaf(source, "the source");
+    this->addLeaf(source, "the source", 0);
   }
   isOfLinesToo_ = true;
-  for (const auto& [leaf, name] : ofLines_)
+  for (const Leaf& leaf : ofLines_)
   {
     if (isSurface_)
     {
-      countLoose(leaf, counts_);
+      countLoose(leaf.data, counts_);
     }
     else
     {
-      this->addLeaf(leaf, name);
+      this->addLeaf(leaf.data, leaf.name, leaf.block);
     }
   }
 }
 
 InputViews::~InputViews() = default;
 
-void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
+void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name, unsigned block)
 {
   auto* points = vtkPointSet::SafeDownCast(leaf);
   if (!points)
@@ -83,7 +115,7 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   const bool isMesh = hasFaces(points);
   if (!isMesh && !isOfLinesToo_ && isOfLines(points))
   {
-    ofLines_.emplace_back(points, name);
+    ofLines_.push_back({points, name, block});
     return;
   }
   const bool isSurface = isMesh && !options_.asPoints;
@@ -91,7 +123,14 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   {
     countLoose(points, counts_);
   }
-  const auto own = ownPartOf(points, options_.takesFaces, name, counts_);
+  const bool mayRenumber = !vtkPolyData::SafeDownCast(points) || points->GetCellGhostArray() ||
+                           points->GetPointGhostArray();
+  vtkSmartPointer<vtkPointSet> numbered = points;
+  if (keepsNumbers_ && mayRenumber)
+  {
+    numbered = withNumbers(points);
+  }
+  const auto own = ownPartOf(numbered, options_.takesFaces, name, counts_);
   if (own->GetNumberOfPoints() == 0)
   {
     return;
@@ -102,6 +141,7 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name)
   }
   isSurface_ = isSurface;
   leaves_.push_back(own);
+  blocks_.push_back(block);
   identity_.emplace_back(points, points->GetMTime());
 }
 
@@ -240,6 +280,35 @@ void InputViews::addTriangles(vtkPointSet* leaf, std::vector<TrianglesView>& vie
     flat_.push_back({trianglesOfStrips(polyData->GetStrips()), {}});
     views.push_back({points, {flat_.back().ids.data(), flat_.back().ids.size() / 3}});
   }
+}
+
+std::vector<ViewedPart> InputViews::viewedParts()
+{
+  std::vector<ViewedPart> parts;
+  for (std::size_t i = 0; i < leaves_.size(); ++i)
+  {
+    vtkPolyData* const data = this->skinOf(leaves_[i]);
+    if (data->GetNumberOfPoints() > 0 && data->GetNumberOfPolys() > 0)
+    {
+      parts.push_back({data, false, blocks_[i]});
+    }
+    if (data->GetNumberOfPoints() > 0 && data->GetNumberOfStrips() > 0)
+    {
+      parts.push_back({data, true, blocks_[i]});
+    }
+  }
+  return parts;
+}
+
+const char* InputViews::nameOfNumbers()
+{
+  return numbersName;
+}
+
+vtkIdType InputViews::numberOf(vtkDataSetAttributes* ofPart, vtkIdType item)
+{
+  auto* const numbers = vtkIdTypeArray::SafeDownCast(ofPart->GetArray(numbersName));
+  return numbers ? numbers->GetValue(item) : item;
 }
 
 std::vector<TrianglesView> InputViews::triangles()
@@ -395,8 +464,10 @@ std::vector<OrientedPointsView> InputViews::findOrientedPoints()
   }
   std::vector<OrientedPointsView> views;
   pointSets_.clear();
-  for (vtkPointSet* source : leaves_)
+  blocksOfPoints_.clear();
+  for (std::size_t n = 0; n < leaves_.size(); ++n)
   {
+    vtkPointSet* const source = leaves_[n];
     // Points inside of a volume mesh are no points of its surface.
     const bool isMesh = hasFaces(source);
     vtkPointSet* leaf = isMesh ? this->skinOf(source) : source;
@@ -435,6 +506,7 @@ std::vector<OrientedPointsView> InputViews::findOrientedPoints()
     }
     views.push_back(view);
     pointSets_.push_back(leaf);
+    blocksOfPoints_.push_back(blocks_[n]);
   }
   return views;
 }

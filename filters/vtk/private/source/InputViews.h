@@ -19,6 +19,7 @@
 class vtkCellArray;
 class vtkDataArray;
 class vtkDataObject;
+class vtkDataSetAttributes;
 class vtkPointSet;
 class vtkPolyData;
 
@@ -55,6 +56,14 @@ struct InputOptions
   }
 };
 
+/// The polydata that a view shows, with the cells and arrays of its leaf.
+struct ViewedPart
+{
+  vtkPolyData* data = nullptr; ///< the views keep it
+  bool areStrips = false;      ///< whether it shows strips, not polygons
+  unsigned block = 0;          ///< flat index of the leaf; 0 for a source that is no composite
+};
+
 /**
  * A VTK source as the core's views. Finding out what a source is takes a look at its cells; views
  * are made on request, over VTK's own memory wherever its layout allows that, and live as long as
@@ -71,7 +80,9 @@ public:
   using Identity = std::vector<std::pair<const void*, vtkMTimeType>>;
 
   /// `executor`, if it is not null, runs what takes long, and lives as long as this object.
-  InputViews(vtkDataObject* source, const InputOptions& options, Executor* executor = nullptr);
+  /// `keepsNumbers` has numberOf() know the numbers of all cells and points in their data sets.
+  InputViews(vtkDataObject* source, const InputOptions& options, Executor* executor = nullptr,
+    bool keepsNumbers = false);
   ~InputViews();
 
   bool isSurface() const { return isSurface_; }
@@ -111,6 +122,19 @@ public:
   /// data of the source. They are its leaves, or the outer surfaces of these, without ghosts.
   const std::vector<vtkPointSet*>& pointSets() const { return pointSets_; }
 
+  /// The parts that triangles() of this rank shows, one for each view.
+  std::vector<ViewedPart> viewedParts();
+
+  /// Returns the flat index of the leaf of each view of orientedPoints().
+  const std::vector<unsigned>& blocksOfPoints() const { return blocksOfPoints_; }
+
+  /// Returns the number that the cell or point of a part has in its own data set, which an outer
+  /// surface and a part without ghosts are made of. The views keep numbers.
+  static vtkIdType numberOf(vtkDataSetAttributes* ofPart, vtkIdType item);
+
+  /// The name of the array of these numbers.
+  static const char* nameOfNumbers();
+
   /// All points of the source, those without triangles too.
   std::vector<VectorsView> points();
 
@@ -121,7 +145,15 @@ public:
   const CellCounts& cellCounts() const { return counts_; }
 
 private:
-  void addLeaf(vtkDataObject* leaf, const std::string& name);
+  /// A leaf of the source.
+  struct Leaf
+  {
+    vtkSmartPointer<vtkPointSet> data;
+    std::string name;
+    unsigned block;
+  };
+
+  void addLeaf(vtkDataObject* leaf, const std::string& name, unsigned block);
   vtkDataArray* areasOf(vtkPointSet* leaf) const;
   VectorsView vectorsOf(vtkDataArray* array);
   ScalarsView scalarsOf(vtkDataArray* array);
@@ -139,12 +171,15 @@ private:
   InputOptions options_;
   Executor* executor_;
   bool isSurface_ = false;
-  /// Data sets of lines alone, with their names. They are clouds only where nothing has faces.
-  std::vector<std::pair<vtkSmartPointer<vtkPointSet>, std::string>> ofLines_;
+  bool keepsNumbers_;
+  /// Data sets of lines alone. They are clouds only where nothing has faces.
+  std::vector<Leaf> ofLines_;
   bool isOfLinesToo_ = false; ///< whether addLeaf() takes them
   std::vector<vtkSmartPointer<vtkPointSet>> leaves_;
+  std::vector<unsigned> blocks_; ///< flat indices of the leaves
   Identity identity_;
   std::vector<vtkPointSet*> pointSets_;
+  std::vector<unsigned> blocksOfPoints_; ///< of pointSets_
   CellCounts counts_;
 
   std::optional<std::vector<TrianglesView>> ownTriangles_;

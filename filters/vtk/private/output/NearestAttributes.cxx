@@ -1,0 +1,448 @@
+#include "private/output/NearestAttributes.h"
+
+#include "base/Refusal.h"
+#include "private/pipeline/FreeMemory.h"
+#include "private/pipeline/Ranks.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace winding
+{
+
+namespace
+{
+
+/// The number of places that are held at once.
+constexpr std::size_t placesAtOnce = std::size_t{1} << 20;
+
+/// Whether an array has values in between: floats, and colours.
+bool isContinuous(vtkAbstractArray* array)
+{
+  const int components = array->GetNumberOfComponents();
+  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE ||
+         (array->GetDataType() == VTK_UNSIGNED_CHAR && (components == 3 || components == 4));
+}
+
+/// Whether the items of an array may be written by several threads at once.
+bool isThreadSafe(vtkAbstractArray* array)
+{
+  return vtkDataArray::SafeDownCast(array) && array->GetDataType() != VTK_BIT;
+}
+
+/// Returns an array of `count` items as `model` has.
+vtkSmartPointer<vtkAbstractArray> arrayLike(vtkAbstractArray* model, vtkIdType count)
+{
+  // The same class as an implicit array's could not be written.
+  auto array =
+    vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(model->GetDataType()));
+  array->SetName(model->GetName());
+  array->SetNumberOfComponents(model->GetNumberOfComponents());
+  array->CopyComponentNames(model);
+  array->SetNumberOfTuples(count);
+  return array;
+}
+
+/// Returns the array of names that belongs to an array of numbers, "ObjectNames" to "ObjectIds".
+vtkStringArray* namesOf(vtkFieldData* fields, const std::string& ids)
+{
+  constexpr std::size_t suffix = 3; // of "Ids"
+  const bool isOfIds = ids.size() > suffix && ids.compare(ids.size() - suffix, suffix, "Ids") == 0;
+  return isOfIds ? vtkStringArray::SafeDownCast(fields->GetAbstractArray(
+                     (ids.substr(0, ids.size() - suffix) + "Names").c_str()))
+                 : nullptr;
+}
+
+bool areSameTexts(vtkStringArray* a, vtkStringArray* b)
+{
+  bool areSame = !a == !b && (!a || a->GetNumberOfValues() == b->GetNumberOfValues());
+  for (vtkIdType n = 0; areSame && a && n < a->GetNumberOfValues(); ++n)
+  {
+    areSame = a->GetValue(n) == b->GetValue(n);
+  }
+  return areSame;
+}
+
+} // namespace
+
+/// A part of the source that a view shows.
+struct NearestAttributes::Part
+{
+  vtkPointSet* data;
+  unsigned block;
+  std::vector<vtkIdType> cells; ///< by triangle; empty where they follow each other
+  vtkIdType firstCell;
+
+  vtkDataSetAttributes* attributes(bool ofPoints) const
+  {
+    return ofPoints ? static_cast<vtkDataSetAttributes*>(data->GetPointData())
+                    : data->GetCellData();
+  }
+};
+
+struct NearestAttributes::Transfer
+{
+  std::vector<vtkAbstractArray*> ofParts;
+  bool interpolates;
+  int active; ///< type of the attribute that the array is in the source, or -1
+
+  /// Writes item `n` of an array: the mean of items by their weights, or the one of largest weight.
+  void write(vtkAbstractArray* to, vtkIdType n, std::size_t part, const vtkIdType* items,
+    const std::array<double, 3>& weights, std::size_t count) const;
+
+  /// Writes item `n` of an array where nothing is near.
+  void writeNothing(vtkAbstractArray* to, vtkIdType n) const;
+};
+
+void NearestAttributes::Transfer::write(vtkAbstractArray* to, vtkIdType n, std::size_t part,
+  const vtkIdType* items, const std::array<double, 3>& weights, std::size_t count) const
+{
+  if (!interpolates || count == 1)
+  {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < count; ++i)
+    {
+      const bool isBetter =
+        weights[i] > weights[best] || (weights[i] == weights[best] && items[i] < items[best]);
+      best = isBetter ? i : best;
+    }
+    to->SetTuple(n, items[best], ofParts[part]);
+    return;
+  }
+  auto* const from = static_cast<vtkDataArray*>(ofParts[part]);
+  auto* const numbers = static_cast<vtkDataArray*>(to);
+  const bool areIntegers = numbers->GetDataType() == VTK_UNSIGNED_CHAR;
+  for (int component = 0; component < from->GetNumberOfComponents(); ++component)
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      // A corner without weight may have no number.
+      sum += weights[i] > 0 ? weights[i] * from->GetComponent(items[i], component) : 0;
+    }
+    constexpr double half = 0.5, most = 255;
+    numbers->SetComponent(n, component, areIntegers ? std::min(std::floor(sum + half), most) : sum);
+  }
+}
+
+void NearestAttributes::Transfer::writeNothing(vtkAbstractArray* to, vtkIdType n) const
+{
+  auto* const numbers = vtkDataArray::SafeDownCast(to);
+  const bool areReal = to->GetDataType() == VTK_FLOAT || to->GetDataType() == VTK_DOUBLE;
+  for (int component = 0; numbers && component < to->GetNumberOfComponents(); ++component)
+  {
+    numbers->SetComponent(n, component, areReal ? std::numeric_limits<double>::quiet_NaN() : 0);
+  }
+}
+
+NearestAttributes::NearestAttributes(vtkDataObject* source, const SourceOptions& options,
+  const NearestOptions& nearest, Executor& executor)
+  : options_(nearest)
+  , isComposite_(vtkCompositeDataSet::SafeDownCast(source) != nullptr)
+  , views_(source, options.input, &executor, true)
+{
+  if (views_.isSurface() || views_.isEmpty())
+  {
+    triangles_ = views_.triangles();
+    const std::vector<ViewedPart> shown = views_.viewedParts();
+    std::size_t triangles = 0;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+    {
+      vtkPolyData* const data = shown[i].data;
+      Part part = {data, shown[i].block, {}, data->GetNumberOfVerts() + data->GetNumberOfLines()};
+      part.firstCell += shown[i].areStrips ? data->GetNumberOfPolys() : 0;
+      vtkCellArray* const cells = shown[i].areStrips ? data->GetStrips() : data->GetPolys();
+      triangles += triangles_[i].triangles.size();
+      if (shown[i].areStrips || triangles_[i].isContinued)
+      {
+        part.cells.reserve(triangles_[i].triangles.size());
+        for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+        {
+          const vtkIdType pieces = std::max<vtkIdType>(cells->GetCellSize(cell) - 2, 0);
+          part.cells.insert(
+            part.cells.end(), static_cast<std::size_t>(pieces), part.firstCell + cell);
+        }
+      }
+      parts_.push_back(std::move(part));
+    }
+    refuseBeyondFreeMemory(static_cast<double>(bytesFor(true, triangles)),
+      "the search for the nearest of " + std::to_string(triangles) + " triangles", {});
+    places_ = std::make_unique<InputPlaces>(triangles_, options.field.mirror, executor);
+  }
+  else
+  {
+    const std::vector<OrientedPointsView> points = views_.orientedPoints();
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      parts_.push_back({views_.pointSets()[i], views_.blocksOfPoints()[i], {}, 0});
+      count += points[i].positions.size();
+    }
+    refuseBeyondFreeMemory(static_cast<double>(bytesFor(false, count)),
+      "the search for the nearest of " + std::to_string(count) + " points", {});
+    places_ = std::make_unique<InputPlaces>(points, options.field.mirror, executor);
+  }
+  if (options_.withAttributes)
+  {
+    this->findArrays(true, ofPoints_);
+    if (!triangles_.empty())
+    {
+      this->findArrays(false, ofCells_);
+    }
+  }
+}
+
+NearestAttributes::~NearestAttributes() = default;
+
+std::size_t NearestAttributes::bytesFor(bool isSurface, std::size_t primitives)
+{
+  return InputPlaces::bytesFor(isSurface, primitives) +
+         std::min(placesAtOnce, primitives) * sizeof(InputPlace);
+}
+
+/// Finds the arrays that all parts have, and the names of all others.
+void NearestAttributes::findArrays(bool ofPoints, std::vector<Transfer>& transfers)
+{
+  std::set<std::string> names = {vtkDataSetAttributes::GhostArrayName(),
+    InputViews::nameOfNumbers(), "vtkOriginalCellIds", "vtkOriginalPointIds"};
+  for (const Part& part : parts_)
+  {
+    vtkDataSetAttributes* const attributes = part.attributes(ofPoints);
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* const array = attributes->GetAbstractArray(i);
+      if (!array->GetName() || !names.insert(array->GetName()).second)
+      {
+        continue;
+      }
+      Transfer transfer = {{}, isContinuous(array), attributes->IsArrayAnAttribute(i)};
+      for (const Part& other : parts_)
+      {
+        vtkAbstractArray* const same =
+          other.attributes(ofPoints)->GetAbstractArray(array->GetName());
+        const bool isLike = same && same->GetDataType() == array->GetDataType() &&
+                            same->GetNumberOfComponents() == array->GetNumberOfComponents() &&
+                            areSameTexts(namesOf(part.data->GetFieldData(), array->GetName()),
+                              namesOf(other.data->GetFieldData(), array->GetName()));
+        transfer.ofParts.push_back(isLike ? same : nullptr);
+      }
+      const auto& arrays = transfer.ofParts;
+      if (std::find(arrays.begin(), arrays.end(), nullptr) == arrays.end())
+      {
+        transfers.push_back(std::move(transfer));
+      }
+      else
+      {
+        leftOut_.emplace_back(array->GetName());
+      }
+    }
+  }
+}
+
+/// Returns the index of the cell of a part that has a place.
+vtkIdType NearestAttributes::cellOf(const InputPlace& place) const
+{
+  const Part& part = parts_[place.view];
+  return part.cells.empty() ? part.firstCell + place.primitive : part.cells[place.primitive];
+}
+
+void NearestAttributes::add(bool ofPoints, std::size_t count, const PositionOf& positionOf,
+  vtkDataSetAttributes* to, Executor& executor) const
+{
+  const bool areCells = !triangles_.empty();
+  const auto items = static_cast<vtkIdType>(count);
+  vtkNew<vtkIdTypeArray> cells;
+  vtkNew<vtkIntArray> blocks;
+  cells->SetName("NearestCell");
+  blocks->SetName("NearestBlock");
+  cells->SetNumberOfValues(options_.withNumbers ? items : 0);
+  blocks->SetNumberOfValues(options_.withNumbers && isComposite_ ? items : 0);
+  std::vector<std::pair<const Transfer*, vtkSmartPointer<vtkAbstractArray>>> arrays;
+  for (const Transfer& transfer : ofPoints ? ofPoints_ : ofCells_)
+  {
+    vtkAbstractArray* const model = transfer.ofParts.front();
+    if (!to->HasArray(model->GetName()))
+    {
+      arrays.emplace_back(&transfer, arrayLike(model, items));
+    }
+  }
+  std::vector<InputPlace> places(std::min(count, placesAtOnce));
+  const auto write = [&](std::size_t n, const InputPlace& place, bool atOnce)
+  {
+    const auto item = static_cast<vtkIdType>(n);
+    vtkIdType ids[3] = {place.primitive, 0, 0};
+    std::size_t corners = 1;
+    if (place.exists() && areCells && ofPoints)
+    {
+      corners = 3;
+      for (std::size_t corner = 0; corner < corners; ++corner)
+      {
+        ids[corner] = triangles_[place.view].triangles(place.primitive, corner);
+      }
+    }
+    else if (place.exists() && areCells)
+    {
+      ids[0] = this->cellOf(place);
+    }
+    for (const auto& [transfer, array] : arrays)
+    {
+      if (isThreadSafe(array) != atOnce)
+      {
+        continue;
+      }
+      if (place.exists())
+      {
+        transfer->write(array, item, place.view, ids, place.weights, corners);
+      }
+      else
+      {
+        transfer->writeNothing(array, item);
+      }
+    }
+    if (options_.withNumbers && atOnce)
+    {
+      vtkIdType number = -1;
+      if (place.exists())
+      {
+        number = InputViews::numberOf(parts_[place.view].attributes(!areCells),
+          areCells ? this->cellOf(place) : static_cast<vtkIdType>(place.primitive));
+      }
+      cells->SetValue(item, number);
+      if (isComposite_)
+      {
+        blocks->SetValue(item, place.exists() ? static_cast<int>(parts_[place.view].block) : -1);
+      }
+    }
+  };
+  const bool isSerialAny = std::any_of(
+    arrays.begin(), arrays.end(), [](const auto& pair) { return !isThreadSafe(pair.second); });
+  for (std::size_t first = 0; first < count; first += placesAtOnce)
+  {
+    const std::size_t some = std::min(placesAtOnce, count - first);
+    places_->find(
+      some, [&](std::size_t n) { return positionOf(first + n); }, places.data(), executor);
+    forEachItem(
+      some, [&](std::size_t n) { write(first + n, places[n], true); }, executor);
+    for (std::size_t n = 0; n < some && isSerialAny; ++n)
+    {
+      write(first + n, places[n], false);
+    }
+  }
+  for (const auto& [transfer, array] : arrays)
+  {
+    to->AddArray(array);
+    if (transfer->active >= 0 && !to->GetAbstractAttribute(transfer->active))
+    {
+      to->SetActiveAttribute(array->GetName(), transfer->active);
+    }
+  }
+  if (options_.withNumbers)
+  {
+    to->AddArray(cells);
+    if (isComposite_)
+    {
+      to->AddArray(blocks);
+    }
+  }
+}
+
+void NearestAttributes::addPointData(std::size_t count, const PositionOf& positionOf,
+  vtkDataSetAttributes* to, Executor& executor) const
+{
+  this->add(true, count, positionOf, to, executor);
+}
+
+void NearestAttributes::addCellData(std::size_t count, const PositionOf& positionOf,
+  vtkDataSetAttributes* to, Executor& executor) const
+{
+  this->add(false, count, positionOf, to, executor);
+}
+
+void NearestAttributes::addTo(vtkPolyData* surface, Executor& executor) const
+{
+  if (options_.withNumbers || !ofPoints_.empty())
+  {
+    this->addPointData(
+      static_cast<std::size_t>(surface->GetNumberOfPoints()),
+      [surface](std::size_t n)
+      {
+        Eigen::Vector3d position;
+        surface->GetPoints()->GetPoint(static_cast<vtkIdType>(n), position.data());
+        return position;
+      },
+      surface->GetPointData(), executor);
+  }
+  if (options_.withNumbers || !ofCells_.empty())
+  {
+    this->addCellData(
+      static_cast<std::size_t>(surface->GetNumberOfCells()),
+      [surface](std::size_t n)
+      {
+        vtkIdType corners = 0;
+        const vtkIdType* ids = nullptr;
+        surface->GetPolys()->GetCellAtId(static_cast<vtkIdType>(n), corners, ids);
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (vtkIdType i = 0; i < corners; ++i)
+        {
+          Eigen::Vector3d position;
+          surface->GetPoints()->GetPoint(ids[i], position.data());
+          sum += position / static_cast<double>(corners);
+        }
+        return sum;
+      },
+      surface->GetCellData(), executor);
+  }
+  for (const Transfer& transfer : ofCells_)
+  {
+    vtkStringArray* const names =
+      namesOf(parts_.front().data->GetFieldData(), transfer.ofParts.front()->GetName());
+    if (names && !surface->GetFieldData()->HasArray(names->GetName()))
+    {
+      surface->GetFieldData()->AddArray(names);
+    }
+  }
+}
+
+std::optional<Message> NearestAttributes::note() const
+{
+  if (leftOut_.empty())
+  {
+    return std::nullopt;
+  }
+  std::string names;
+  for (const std::string& name : leftOut_)
+  {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return Message("the inputs differ in their arrays", {{"give all the same arrays", {}}},
+    names + (leftOut_.size() == 1 ? " is not taken over" : " are not taken over"));
+}
+
+void refuseNearestOfOtherRanks(const Ranks& ranks, SourceDistribution distribution)
+{
+  if (!ranks.isAlone() && distribution != SourceDistribution::replicated)
+  {
+    constexpr int replicated = static_cast<int>(SourceDistribution::replicated);
+    throw Refusal(Message("cells of other ranks have no numbers here",
+      {{"", {{Parameter::sourceDistribution, replicated}}}, {"run one rank", {}}}));
+  }
+}
+
+} // namespace winding
