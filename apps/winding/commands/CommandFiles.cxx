@@ -30,7 +30,10 @@ vtkSmartPointer<vtkDataObject> readOnFirstRank(
   const std::string& fileName, const Options& options, Messages& messages)
 {
   vtkSmartPointer<vtkDataObject> data = vtkSmartPointer<vtkPolyData>::New();
-  parallel::agreeOnFirst([&] { data = readInput(fileName, messages, {options.columns, false}); });
+  parallel::agreeOnFirst(
+    [&] {
+      data = readInput(fileName, messages, {options.columns, options.transferAttributes});
+    });
   return data;
 }
 

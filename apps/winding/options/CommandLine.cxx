@@ -76,6 +76,7 @@ void addSurface(CLI::App& app, Options& options)
   addFeatures(surface, options);
   addShape(surface, options);
   addComparison(surface, options);
+  addNearest(surface, options);
   addFieldOptions(surface, options);
   addThreads(surface, options);
   addLongestTime(surface, options);
@@ -115,6 +116,7 @@ void addBoolean(CLI::App& app, Options& options)
     boolean->get_option(option)->group("Output");
   }
   addFeatures(boolean, options);
+  addNearest(boolean, options);
   addFieldOptions(boolean, options);
   addThreads(boolean, options);
   addLongestTime(boolean, options);

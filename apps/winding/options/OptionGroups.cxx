@@ -374,6 +374,21 @@ void addComparison(CLI::App* command, Options& options)
     ->group("Run");
 }
 
+void addNearest(CLI::App* command, Options& options)
+{
+  command
+    ->add_flag("--transfer-attributes", options.transferAttributes,
+      "Take colours, texture coordinates, labels and other arrays over from the input: points get "
+      "what its nearest triangle has there, faces what the cell nearest to their middle has")
+    ->group("Output");
+  command
+    ->add_flag("--nearest-cells", options.nearestCells,
+      "Add the array NearestCell, the number of the input's nearest cell or point, and, for "
+      "several "
+      "inputs, NearestBlock, which input it is in: 1 for the first")
+    ->group("Output");
+}
+
 void addCoverage(CLI::App* command, Options& options)
 {
   std::string description = "A voxel is inside if: center, its centre is | any, it overlaps the "

@@ -60,6 +60,9 @@ void addFeatures(CLI::App* command, Options& options);
 /// Adds how a surface is compared with its source.
 void addShape(CLI::App* command, Options& options);
 void addComparison(CLI::App* command, Options& options);
+
+/// Adds what a surface takes over from its source.
+void addNearest(CLI::App* command, Options& options);
 void addCoverage(CLI::App* command, Options& options);
 void addDistance(CLI::App* command, Options& options);
 void addArrayName(CLI::App* command, Options& options);

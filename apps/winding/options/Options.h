@@ -66,6 +66,8 @@ struct Options
   double shell = 0;
   int shellSide = 0;
   int fidelity = 0;
+  bool transferAttributes = false;
+  bool nearestCells = false;
   bool asDouble = false;
   std::string array = "WindingNumber";
 

@@ -3,6 +3,7 @@
 #include "files/Formats.h"
 #include "files/SinglePrecision.h"
 #include "output/HyperTreeWriter.h"
+#include "output/MeshFile.h"
 #include "output/OutputFile.h"
 #include "output/XmlNames.h"
 #include "program/Failure.h"
@@ -18,8 +19,6 @@
 #include "vtkHyperTreeGrid.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkOBJWriter.h"
-#include "vtkPLYWriter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSTLWriter.h"
@@ -250,15 +249,11 @@ void writeSurface(vtkPolyData* given, OutputFile& file, Messages& messages)
   }
   else if (suffix == ".ply")
   {
-    vtkNew<vtkPLYWriter> writer;
-    writer->SetInputData(surface);
-    run(writer.Get(), file, messages);
+    writePlyMesh(surface, file);
   }
   else if (suffix == ".obj")
   {
-    vtkNew<vtkOBJWriter> writer;
-    writer->SetInputData(surface);
-    run(writer.Get(), file, messages);
+    writeObjMesh(surface, file);
   }
   else
   {

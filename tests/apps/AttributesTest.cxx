@@ -1,0 +1,178 @@
+#include "apps/Inputs.h"
+#include "apps/RunProgram.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+/**
+ * Colours, texture coordinates and regions of files stay with surfaces, and with their files.
+ */
+namespace
+{
+
+/// The colour of a place on the unit sphere, 0 to 255.
+double colorOf(const double position[3], int component)
+{
+  return 128 + 100 * position[component];
+}
+
+class Attributes : public testing::Test
+{
+protected:
+  /// A sphere with colours, texture coordinates that are x and y, and two objects, below and above.
+  std::string colored()
+  {
+    const Mesh mesh = sphere(5);
+    std::ostringstream text;
+    text.precision(9);
+    for (const auto& point : mesh.points)
+    {
+      text << "v";
+      for (const double x : point)
+      {
+        text << ' ' << x;
+      }
+      for (int component = 0; component < 3; ++component)
+      {
+        text << ' ' << colorOf(point.data(), component) / 255;
+      }
+      text << "\nvt " << point[0] << ' ' << point[1] << '\n';
+    }
+    for (const bool isAbove : {false, true})
+    {
+      text << (isAbove ? "o upper part\n" : "o lower\n");
+      for (const auto& t : mesh.triangles)
+      {
+        double height = 0;
+        for (const auto corner : t)
+        {
+          height += mesh.points[static_cast<std::size_t>(corner)][2];
+        }
+        if ((height > 0) == isAbove)
+        {
+          text << 'f';
+          for (const auto corner : t)
+          {
+            text << ' ' << corner + 1 << '/' << corner + 1;
+          }
+          text << '\n';
+        }
+      }
+    }
+    return folder.write("scan.obj", text.str());
+  }
+
+  std::string surfaceOf(const std::string& in, const std::string& name)
+  {
+    const std::string out = folder.path(name);
+    const Outcome run =
+      runProgram({"surface", in, "-o", out, "--resolution", "40", "--transfer-attributes"});
+    EXPECT_EQ(run.status, 0) << run;
+    EXPECT_EQ(run.err.find("warning"), std::string::npos) << run;
+    return out;
+  }
+
+  TemporaryFolder folder;
+};
+
+vtkSmartPointer<vtkPolyData> read(const std::string& file)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+} // namespace
+
+TEST_F(Attributes, StayThroughAllFormatsThatHoldThem)
+{
+  const std::string scan = colored();
+  for (const std::string suffix : {"ply", "obj", "vtp"})
+  {
+    SCOPED_TRACE(suffix);
+    const std::string again = surfaceOf(surfaceOf(scan, "solid." + suffix), "again.vtp");
+    const auto surface = read(again);
+    vtkDataArray* const colors = surface->GetPointData()->GetScalars();
+    vtkDataArray* const texture = surface->GetPointData()->GetTCoords();
+    vtkDataArray* const objects = surface->GetCellData()->GetArray("ObjectIds");
+    ASSERT_TRUE(colors && texture && objects);
+    ASSERT_STREQ(colors->GetName(), "RGB");
+    double worst = 0, worstTexture = 0;
+    for (vtkIdType n = 0; n < surface->GetNumberOfPoints(); ++n)
+    {
+      double position[3];
+      surface->GetPoint(n, position);
+      for (int component = 0; component < 3; ++component)
+      {
+        worst = std::max(
+          worst, std::abs(colors->GetComponent(n, component) - colorOf(position, component)));
+      }
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        worstTexture =
+          std::max(worstTexture, std::abs(texture->GetComponent(n, axis) - position[axis]));
+      }
+    }
+    EXPECT_LT(worst, 1.6);          // measured
+    EXPECT_LT(worstTexture, 0.001); // measured
+    for (vtkIdType n = 0; n < surface->GetNumberOfCells(); ++n)
+    {
+      double bounds[6];
+      surface->GetCellBounds(n, bounds);
+      if (bounds[4] > 0.1 || bounds[5] < -0.1)
+      {
+        ASSERT_EQ(objects->GetTuple1(n), bounds[4] > 0 ? 1 : 0);
+      }
+    }
+  }
+  EXPECT_NE(contentsOf(folder.path("solid.obj")).find("\no upper part\n"), std::string::npos);
+}
+
+TEST_F(Attributes, ThatAFormatDoesNotHoldAreNamed)
+{
+  const std::string scan = colored();
+  const auto warningOf = [&](const std::string& name)
+  {
+    const Outcome run = runProgram({"surface", scan, "-o", folder.path(name), "--resolution", "20",
+      "--transfer-attributes", "--nearest-cells"});
+    EXPECT_EQ(run.status, 0) << run;
+    return run.err;
+  };
+  EXPECT_NE(warningOf("out.stl").find("does not hold RGB, TCoords, NearestCell, ObjectIds"),
+    std::string::npos);
+  EXPECT_NE(warningOf("out.obj").find("does not hold NearestCell, NearestCell"), std::string::npos);
+  EXPECT_EQ(warningOf("out.ply").find("does not hold"), std::string::npos);
+  EXPECT_EQ(warningOf("out.vtp").find("does not hold"), std::string::npos);
+}
+
+TEST_F(Attributes, OfBooleansNameTheInputOfEachFace)
+{
+  const std::string scan = colored();
+  Mesh tool = sphere(4);
+  for (auto& point : tool.points)
+  {
+    point[0] += 0.8;
+  }
+  const std::string other = folder.write("tool.off", asOff(tool));
+  const std::string out = folder.path("cut.vtp");
+  const Outcome run = runProgram({"boolean", scan, other, "-o", out, "--operation", "difference",
+    "--resolution", "30", "--nearest-cells", "--transfer-attributes"});
+  EXPECT_EQ(run.status, 0) << run;
+  EXPECT_NE(run.err.find("RGB, TCoords, ObjectIds are not taken over"), std::string::npos) << run;
+  const auto surface = read(out);
+  vtkDataArray* const blocks = surface->GetCellData()->GetArray("NearestBlock");
+  ASSERT_TRUE(blocks && surface->GetCellData()->GetArray("NearestCell"));
+  EXPECT_EQ(blocks->GetRange()[0], 1);
+  EXPECT_EQ(blocks->GetRange()[1], 2);
+}
