@@ -822,6 +822,31 @@ extern "C"
     const winding_polygons* polygons, const winding_run* run, uint8_t* are_open,
     winding_refusal* refusal);
 
+  /**
+   * Finds the places of faces or points that are nearest to samples, so that samples take over what
+   * these have there: the data of `corners`, each times its weight, or the data of the polygon. The
+   * first one counts where several are equally near, up to rounding.
+   *
+   * @param points three coordinates in each row
+   * @param polygons triangles, or polygons, which are taken as fans from their first corners; null
+   * for points alone
+   * @param options null for the defaults; mirror and weld_tolerance count, with which samples are
+   * near to images of the faces or points, and to points that are made one
+   * @param samples three coordinates in each row
+   * @param nearest receives the polygon or point that is nearest to each sample; -1 for samples
+   * that are NaN or infinite, and where there is nothing
+   * @param corners receives three ids of points for each sample, the corners of a triangle of the
+   * polygon, or the point three times; -1 for none. May be null
+   * @param weights receives their weights at the nearest place, 0 or more, with sum 1; NaN for
+   * none. May be null
+   * @param run null for the defaults
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_nearest(winding_array points,
+    const winding_polygons* polygons, const winding_options* options, winding_array samples,
+    int64_t* nearest, int64_t* corners, double* weights, const winding_run* run,
+    winding_refusal* refusal);
+
   /** The health of a surface. */
   typedef struct winding_report
   {

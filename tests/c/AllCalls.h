@@ -21,6 +21,7 @@ struct Arguments
     , floats(sizeOf(grid))
     , doubles(3 * sizeOf(grid))
     , areas(mesh.points.size())
+    , nearest(mesh.points.size())
     , bytes(sizeOf(grid))
     , labels(sizeOf(grid))
     , solids(mesh.triangles.size())
@@ -60,6 +61,7 @@ struct Arguments
   winding_array points;
   std::vector<float> floats;
   std::vector<double> doubles, areas;
+  std::vector<std::int64_t> nearest;
   std::vector<std::uint8_t> bytes;
   std::vector<std::uint16_t> labels;
   std::vector<std::int32_t> solids;
@@ -157,6 +159,12 @@ inline const Call allCalls[] = {
     [](Arguments& a)
     {
       return winding_open_parts(a.points, &a.polygons, &a.run, a.bytes.data(), &a.refusal);
+    }},
+  {"winding_nearest",
+    [](Arguments& a)
+    {
+      return winding_nearest(a.points, &a.polygons, &a.options, a.points, a.nearest.data(), nullptr,
+        nullptr, &a.run, &a.refusal);
     }},
   {"winding_faults",
     [](Arguments& a)

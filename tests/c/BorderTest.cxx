@@ -79,7 +79,8 @@ TEST(Border, RefusesWhatIsNoArray)
     "winding_open_parts winding_faults winding_vertices winding_examine "
     "winding_orient winding_examine_points "
     "winding_orient_normals winding_estimate_normals "
-    "winding_point_areas winding_weld winding_complete";
+    "winding_point_areas winding_weld winding_complete "
+    "winding_nearest";
   expectMisuse([](Arguments& a) { a.points.data = nullptr; }, points);
   expectMisuse([](Arguments& a) { a.points.type = WINDING_INT32; }, points);
   expectMisuse([](Arguments& a) { a.points.type = 99; }, points);
@@ -97,7 +98,8 @@ TEST(Border, RefusesWhatIsNoArray)
   expectMisuse([](Arguments& a) { a.cells.offsets.rows = 2; }, cells);
   expectMisuse([](Arguments& a) { a.offsets[1] = 22; }, cells);
   const std::string polygons = "winding_faces winding_solids winding_open_parts winding_faults "
-                               "winding_vertices winding_examine winding_orient winding_complete";
+                               "winding_vertices winding_examine winding_orient winding_complete "
+                               "winding_nearest";
   expectMisuse([](Arguments& a) { a.polygons.corners.data = nullptr; }, polygons);
   expectMisuse([](Arguments& a) { a.polygons.corners.type = WINDING_FLOAT64; }, polygons);
   expectMisuse([](Arguments& a) { a.polygons.corners.stride = 1; }, polygons);
@@ -112,7 +114,7 @@ TEST(Border, RefusesStructsWithoutASizeAndNullPointers)
     "winding_boolean winding_label");
   expectMisuse([](Arguments& a) { a.options.size = 0; },
     "winding_faces winding_points winding_estimate_normals winding_point_areas winding_complete "
-    "winding_complete_bounds");
+    "winding_complete_bounds winding_nearest");
   expectMisuse([](Arguments& a) { a.field.reset(); },
     "winding_evaluate_grid winding_evaluate_points winding_cell_fractions winding_level_surface "
     "winding_boolean winding_label");
