@@ -108,6 +108,11 @@ def leaves_of(data):
     return leaves
 
 
+def flat_index_of(name):
+    """The flat index of a data set by its name, as leaves_of() gives it; 0 for no block."""
+    return int(name[6:]) if name.startswith("block ") else 0
+
+
 def unstructured(data):
     """The cells of a data set as an unstructured grid."""
     if data.IsA("vtkUnstructuredGrid"):

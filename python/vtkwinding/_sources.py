@@ -35,7 +35,8 @@ class Leaf(NamedTuple):
     """A data set of a source: its points with what belongs to them, and its polygons if it has some.
 
     `data` has the points and polygons: the data set itself, or its outer surface. `rows` are the
-    points of it that are taken, and `cells` the cell of it that each polygon is."""
+    points of it that are taken, and `cells` the cell of it that each polygon is. `block` is the flat
+    index of the data set in composite data, else 0."""
 
     data: object
     points: np.ndarray
@@ -45,6 +46,7 @@ class Leaf(NamedTuple):
     cells: np.ndarray | None
     normals: np.ndarray | None
     areas: np.ndarray | None
+    block: int = 0
 
     @property
     def polygon_count(self):
@@ -155,6 +157,7 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
         else:
             skin = leaf
         found = _leaf(skin, has_faces, as_points or not has_faces, normals_array, areas_array)
+        found = found._replace(block=_datasets.flat_index_of(name))
         if not len(found.points) or (has_faces and not found.polygon_count and not as_points):
             continue
         if is_surface not in (None, has_faces and not as_points):

@@ -35,6 +35,7 @@ from . import (
     _voxels,
     fields,
 )
+from ._attributes import Attributes
 from ._errors import WindingError
 from ._progress import bar
 from ._regions import name_of, names_of_ids, names_of_labels, names_of_parts, regions_of
@@ -303,6 +304,7 @@ class WindingAccessor:
                 fill_cavities: bool = False, offset: float = 0, shell: float = 0,
                 shell_side: str = "inward", compute_normals: bool = True,
                 distance_to_input: bool = False,
+                transfer_attributes: bool = False, nearest_cells: bool = False,
                 progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.PolyData:
         """The surface w = threshold, closed over holes: PolyData of triangles.
 
@@ -316,6 +318,12 @@ class WindingAccessor:
         replaces the solid, 0 for none; shell_side is 'inward', 'outward' or 'centered', which
         thickens an open surface as a sheet. The field data 'DistancesFrom' say whether distances
         are from this mesh, 'source', or from the 'surface' without offset and shell.
+
+        transfer_attributes: whether points take over what the nearest face, or point of a cloud,
+            has there, and faces what the cell nearest to their middle has. Floats and colours are
+            interpolated; of other arrays, such as labels, the nearest corner's value is taken.
+        nearest_cells: whether points and faces get 'NearestCell', the id of the cell, or point of a
+            cloud, that is nearest, and for a MultiBlock 'NearestBlock', the flat index of its block.
         """
         _check_source("the mesh", self._mesh)
         shape, reach = _options.shape(fill_cavities, offset, shell, shell_side)
@@ -324,6 +332,7 @@ class WindingAccessor:
             "close_border": _options.flag("close_border", close_border),
             "generate_normals": _options.flag("compute_normals", compute_normals), **shape}
         adds_distances = _options.flag("distance_to_input", distance_to_input)
+        attributes = self._attributes(self._mesh, transfer_attributes, nearest_cells, options)
         field, sides = self._field(options)
         grid = self._grid(field, reach=reach, dimensions=dimensions, spacing=spacing,
                           resolution=resolution, bounds=bounds, padding=padding)
@@ -338,32 +347,53 @@ class WindingAccessor:
             distances = field.at(surface.points, {"distance": np.dtype("f8")}, sides)["distance"]
             surface.point_data["DistanceToInput"] = np.abs(distances)
             surface.set_active_scalars("DistanceToInput", "point")
+        if attributes is not None:
+            attributes.add_to(surface)
         return surface
+
+    def _attributes(self, mesh, transfer_attributes, nearest_cells, options):
+        """What results take over from a mesh; None for nothing."""
+        wishes = {"transfer": _options.flag("transfer_attributes", transfer_attributes),
+                  "numbers": _options.flag("nearest_cells", nearest_cells)}
+        if not any(wishes.values()):
+            return None
+        as_points = _options.flag("as_points", options.get("as_points", False))
+        own = {"mirror": _options.words("mirror", options.get("mirror")),
+               "weld_tolerance": _options.number(
+                   "weld_tolerance", options.get("weld_tolerance", 0), 0)}
+        return Attributes(mesh, own, threads=_options.threads(options.get("n_threads")),
+                          surface_cells=options.get("surface_cells", False), as_points=as_points,
+                          **wishes)
 
     @_with_options
     def boolean_union(self, other: Any, *, dimensions: ArrayLike | None = None,
                       spacing: ArrayLike | None = None, resolution: int | None = None,
                       bounds: ArrayLike | None = None, padding: float = 0.05,
-                      features: str = "smooth", progress_bar: bool = False,
+                      features: str = "smooth", transfer_attributes: bool = False,
+                      nearest_cells: bool = False, progress_bar: bool = False,
                       **options: Unpack[SourceOptions]) -> pv.PolyData:
         """The union of this mesh and another, or a list of others: PolyData of triangles.
 
         Each mesh is a solid by its own winding number, and need be neither closed nor manifold. All
         of them are sampled on one grid, that of field() over what the result can reach. features:
         'smooth', or 'sharp', which keeps edges and corners. The cell array 'Operand' says which mesh
-        a face lies on: 0 is this one. The options are for all meshes.
+        a face lies on: 0 is this one. transfer_attributes and nearest_cells are as in surface();
+        'NearestBlock' is 1 for this mesh. The options are for all meshes.
         """
-        return self._boolean("union", other, features, progress_bar, options, dimensions=dimensions,
+        return self._boolean("union", other, features, progress_bar, options,
+                             transfer_attributes, nearest_cells, dimensions=dimensions,
                              spacing=spacing, resolution=resolution, bounds=bounds, padding=padding)
 
     @_with_options
     def boolean_intersection(self, other: Any, *, dimensions: ArrayLike | None = None,
                              spacing: ArrayLike | None = None, resolution: int | None = None,
                              bounds: ArrayLike | None = None, padding: float = 0.05,
-                             features: str = "smooth", progress_bar: bool = False,
+                             features: str = "smooth", transfer_attributes: bool = False,
+                             nearest_cells: bool = False, progress_bar: bool = False,
                              **options: Unpack[SourceOptions]) -> pv.PolyData:
         """What this mesh has in common with another, or with all of a list: as boolean_union()."""
         return self._boolean("intersection", other, features, progress_bar, options,
+                             transfer_attributes, nearest_cells,
                              dimensions=dimensions, spacing=spacing, resolution=resolution,
                              bounds=bounds, padding=padding)
 
@@ -371,14 +401,17 @@ class WindingAccessor:
     def boolean_difference(self, other: Any, *, dimensions: ArrayLike | None = None,
                            spacing: ArrayLike | None = None, resolution: int | None = None,
                            bounds: ArrayLike | None = None, padding: float = 0.05,
-                           features: str = "smooth", progress_bar: bool = False,
+                           features: str = "smooth", transfer_attributes: bool = False,
+                           nearest_cells: bool = False, progress_bar: bool = False,
                            **options: Unpack[SourceOptions]) -> pv.PolyData:
         """This mesh without another, or without all of a list: as boolean_union()."""
         return self._boolean("difference", other, features, progress_bar, options,
+                             transfer_attributes, nearest_cells,
                              dimensions=dimensions, spacing=spacing, resolution=resolution,
                              bounds=bounds, padding=padding)
 
-    def _boolean(self, operation, other, features, progress_bar, options, **wishes):
+    def _boolean(self, operation, other, features, progress_bar, options, transfer_attributes,
+                 nearest_cells, **wishes):
         """The surface of an operation on this mesh and others."""
         others = other if isinstance(other, (list, tuple)) else [other]
         number = _options.OPERATIONS[operation]
@@ -402,6 +435,10 @@ class WindingAccessor:
             arrays = _booleans.combine(solids, sides, number, grid, show=show, **settings)
         surface = _surface_of(arrays)
         surface.cell_data["Operand"] = arrays["numbers"].astype(np.int32)
+        attributes = self._attributes(
+            pv.MultiBlock([self._mesh, *others]), transfer_attributes, nearest_cells, options)
+        if attributes is not None:
+            attributes.add_to(surface)
         return surface
 
     def _probe(self, surface, kinds, progress_bar, message, options, association="point"):

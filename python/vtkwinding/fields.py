@@ -67,6 +67,35 @@ class Sides:
                 "longest_expected_time", longest_expected_time, 0)}
 
 
+class Places(NamedTuple):
+    """The places of faces, or of the points of a cloud, that are nearest to samples.
+
+    nearest : (N,) ints
+        The face or point that is nearest to each sample; -1 for samples that are NaN or infinite,
+        and where there is nothing. Of those that are equally near, up to rounding, the first counts.
+    corners : (N, 3) ints
+        The corners of the face, or the point three times; -1 for none.
+    weights : (N, 3) floats
+        The weights of the corners at the nearest place, 0 or more, with sum 1; NaN for none.
+    """
+
+    nearest: IdArray
+    corners: IdArray
+    weights: FloatArray
+
+
+def find_places(points, polygons, samples, options, *, threads=0, show=None):
+    """The places of samples among faces as the library takes them, or among points for None."""
+    count = len(samples)
+    found = Places(np.empty(count, np.int64), np.empty((count, 3), np.int64), np.empty((count, 3)))
+    _library.call(
+        "winding_nearest", _library.array_of(points),
+        None if polygons is None else ctypes.byref(polygons), ctypes.byref(options),
+        _library.array_of(samples), *(ctypes.c_void_p(array.ctypes.data) for array in found),
+        _library.RUN, threads=threads, show=show)
+    return found
+
+
 class Field:
     """The winding field of a surface or a cloud. It is built when it is asked for the first time,
     once for points and once for grids, and may be asked by several threads.
@@ -301,6 +330,21 @@ class Field:
         """The distances of points (N, 3) to the nearest triangle, or point of a cloud, negative
         inside: (N,) floats."""
         return self._one_at(points, "distance", float_type(dtype), self._sides(threshold, rule))
+
+    def nearest(self, points: ArrayLike) -> Places:
+        """The faces, or the points of a cloud, that are nearest to points (N, 3): Places.
+
+        Data of the vertices is interpolated by
+        ``(data[places.corners] * places.weights[..., None]).sum(1)``, and data of the faces is
+        ``data[places.nearest]``. All faces count as they were given; mirror images stand for them.
+        """
+        places = _numbers.vectors("points", points, finite=False)
+        options = _library.Options(**self._options)
+        is_cloud = self._corners is None or self._normals is not None or self._areas is not None
+        polygons = None if is_cloud or options.source_as_points else (
+            _library.polygons_of(self._corners, self._offsets))
+        return find_places(self._vertices, polygons, places, options,
+                           threads=self._sides().run["threads"])
 
     def gradient(self, points: ArrayLike) -> FloatArray:
         """The gradient of the winding number at points (N, 3), in 1/length: (N, 3) floats."""

@@ -1,0 +1,205 @@
+"""What results take over from a source: ids of the nearest cells, and the arrays of its points and
+cells at the nearest places."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from . import _datasets, _library
+from ._sources import source_of
+from .fields import find_places
+
+NUMBERS = "winding number in data set"  # as the filters name them
+_PASSED_OVER = {"vtkGhostType", NUMBERS, "vtkOriginalCellIds", "vtkOriginalPointIds"}
+
+
+def numbered(data):
+    """A data set that shares the arrays of another, with the numbers of its cells and points."""
+    copy = data.NewInstance()
+    if data.IsA("vtkCompositeDataSet"):
+        copy.CopyStructure(data)
+        iterator = data.NewIterator()
+        iterator.InitTraversal()
+        while not iterator.IsDoneWithTraversal():
+            copy.SetDataSet(iterator, numbered(iterator.GetCurrentDataObject()))
+            iterator.GoToNextItem()
+        return copy
+    copy.ShallowCopy(data)
+    if data.IsA("vtkPointSet"):
+        for attributes, count in ((copy.GetCellData(), data.GetNumberOfCells()),
+                                  (copy.GetPointData(), data.GetNumberOfPoints())):
+            attributes.AddArray(_datasets.vtk_array_of(data, NUMBERS, np.arange(count)))
+    return copy
+
+
+class Attributes:
+    """The arrays of a source, for what is near to it.
+
+    transfer: whether results take over its arrays. numbers: whether they get 'NearestCell', and of
+    composite data 'NearestBlock'. The other options are those of source_of(), the options of fields
+    as the library has them, and a function for notes."""
+
+    def __init__(self, data, options, *, transfer, numbers, threads=0, note=_library.warn, **arrays):
+        self._source = source_of(numbered(data) if numbers else data, **arrays)
+        self._transfer, self._numbers, self._threads = transfer, numbers, threads
+        self._is_composite = bool(data.IsA("vtkCompositeDataSet"))
+        self._options = _library.Options(**options)
+        self._left_out = []
+        leaves = self._source.leaves
+        self._fields = [leaf.data.GetFieldData() for leaf in leaves]
+        self._of_points = self._arrays(True) if transfer else []
+        self._of_cells = self._arrays(False) if transfer and self._source.is_surface else []
+        if self._left_out:
+            note("the inputs differ in their arrays: give all the same arrays; "
+                 f"{', '.join(self._left_out)} "
+                 f"{'is' if len(self._left_out) == 1 else 'are'} not taken over")
+
+    @staticmethod
+    def _attributes(leaf, of_points):
+        return leaf.data.GetPointData() if of_points else leaf.data.GetCellData()
+
+    def _names_of(self, index, name):
+        """The names that belong to numbers, 'ObjectNames' to 'ObjectIds', of a leaf."""
+        array = self._fields[index].GetAbstractArray(name[:-3] + "Names") if (
+            name.endswith("Ids") and len(name) > 3) else None
+        if array is None or not array.IsA("vtkStringArray"):
+            return None
+        return [array.GetValue(row) for row in range(array.GetNumberOfValues())]
+
+    def _arrays(self, of_points):
+        """The arrays that all leaves have: name, values, whether there are values in between, and
+        the attribute that each is in the first leaf."""
+        found, seen = [], set(_PASSED_OVER)
+        leaves = self._source.leaves
+        for index, leaf in enumerate(leaves):
+            attributes = self._attributes(leaf, of_points)
+            for number in range(attributes.GetNumberOfArrays()):
+                array = attributes.GetAbstractArray(number)
+                name = array.GetName()
+                if not name or name in seen:
+                    continue
+                seen.add(name)
+                same = [self._attributes(other, of_points).GetAbstractArray(name)
+                        for other in leaves]
+                if all(other is not None and other.GetDataType() == array.GetDataType() and
+                       other.GetNumberOfComponents() == array.GetNumberOfComponents() and
+                       self._names_of(place, name) == self._names_of(index, name)
+                       for place, other in enumerate(same)):
+                    values = np.concatenate([
+                        self._values(one, other, of_points) for one, other in zip(leaves, same)])
+                    is_color = values.dtype == np.uint8 and values.shape[1:] in ((3,), (4,))
+                    found.append((name, values, values.dtype.kind == "f" or is_color,
+                                  attributes.IsArrayAnAttribute(number)))
+                else:
+                    self._left_out.append(name)
+        return found
+
+    @staticmethod
+    def _values(leaf, array, of_points):
+        """The values of the points or polygons of a leaf."""
+        rows = leaf.rows if of_points else leaf.cells
+        if array.IsNumeric():
+            return _datasets.array_of(leaf.data, array)[rows]
+        values = np.array([array.GetValue(row) for row in range(array.GetNumberOfValues())], object)
+        return values[rows]
+
+    def add_to(self, surface, show=None):
+        """Gives a surface, vtkPolyData with polygons, what its points and faces are near to."""
+        points = _datasets.floats_of(surface, surface.GetPoints().GetData()).astype(float) if (
+            surface.GetNumberOfPoints()) else np.empty((0, 3))
+        if self._numbers or self._of_points:
+            self._add(surface, True, np.ascontiguousarray(points), show)
+        if self._numbers or self._of_cells:
+            corners, offsets = _datasets.cells_of(surface, surface.GetPolys())
+            sizes = np.diff(offsets)
+            middles = np.zeros((len(sizes), 3))
+            for corner in range(int(sizes.max(initial=0))):
+                has = corner < sizes
+                ids = corners[offsets[:-1][has] + corner]
+                middles[has] += points[ids] / sizes[has, None]
+            self._add(surface, False, middles, show)
+        for name, *_ in self._of_cells:
+            array = self._fields[0].GetAbstractArray(name[:-3] + "Names")
+            if self._names_of(0, name) is not None and not surface.GetFieldData().HasArray(
+                    array.GetName()):
+                surface.GetFieldData().AddArray(array)
+
+    def _add(self, surface, of_points, samples, show):
+        source = self._source
+        polygons = source.polygons() if source.is_surface else None
+        found = find_places(source.points, polygons, samples, self._options,
+                            threads=self._threads, show=show)
+        are_near = found.nearest >= 0
+        target = surface.GetPointData() if of_points else surface.GetCellData()
+        for name, values, is_continuous, kind in self._of_points if of_points else self._of_cells:
+            if target.HasArray(name):
+                continue
+            if of_points and source.is_surface:
+                made = _between(values, found, is_continuous, are_near)
+            else:
+                made = _rows_of(values, found.nearest, are_near)
+            self._add_array(surface, target, name, made)
+            if kind >= 0 and target.GetAbstractAttribute(kind) is None:
+                target.SetActiveAttribute(name, kind)
+        if self._numbers:
+            cells, blocks = self._ids(found.nearest, are_near)
+            self._add_array(surface, target, "NearestCell", cells)
+            if self._is_composite:
+                self._add_array(surface, target, "NearestBlock", blocks)
+
+    @staticmethod
+    def _add_array(surface, target, name, values):
+        if values.dtype != object:
+            target.AddArray(_datasets.vtk_array_of(surface, name, values))
+            return
+        array = _datasets.class_of(surface, "vtkCommonCore", "vtkStringArray")()
+        array.SetName(name)
+        for value in values:
+            array.InsertNextValue(value)
+        target.AddArray(array)
+
+    def _ids(self, nearest, are_near):
+        """The ids of cells or points in their own data sets, and the flat indices of these."""
+        source = self._source
+        of_points = not source.is_surface
+        ids = [_datasets.array_of(leaf.data, self._attributes(leaf, of_points).GetArray(NUMBERS))[
+            leaf.rows if of_points else leaf.cells] for leaf in source.leaves]
+        blocks = [np.full(len(own), leaf.block, np.int32) for own, leaf in zip(ids, source.leaves)]
+        none = np.empty(0, np.int64)
+        made = []
+        for values in (ids, blocks):
+            values = np.concatenate([none, *values])
+            made.append(np.where(are_near, values[nearest] if len(values) else -1, -1))
+        return made[0].astype(np.int64), made[1].astype(np.int32)
+
+
+def _rows_of(values, rows, are_near):
+    """The values of some rows; nothing, 0 or NaN where there is none."""
+    made = np.zeros((len(rows), *values.shape[1:]), values.dtype)
+    if values.dtype == object:
+        made[:] = ""
+    elif values.dtype.kind == "f":
+        made[:] = np.nan
+    made[are_near] = values[rows[are_near]]
+    return made
+
+
+def _between(values, found, is_continuous, are_near):
+    """The values between three points, or those of the point with the largest weight, of which the
+    least counts where several are equal."""
+    if not is_continuous:
+        best, largest = found.corners[:, 0].copy(), found.weights[:, 0].copy()
+        for corner in (1, 2):
+            ids, weights = found.corners[:, corner], found.weights[:, corner]
+            is_better = (weights > largest) | ((weights == largest) & (ids < best))
+            best[is_better], largest[is_better] = ids[is_better], weights[is_better]
+        return _rows_of(values, best, are_near)
+    total = np.zeros((len(found.nearest), *values.shape[1:]))
+    for corner in range(3):
+        weights = found.weights[:, corner].reshape(-1, *[1] * (values.ndim - 1))
+        own = values[found.corners[:, corner]].astype(float)
+        total += np.where(weights > 0, weights * own, 0)  # a point without weight may be NaN
+    if values.dtype == np.uint8:
+        return _rows_of(np.minimum(np.floor(total + 0.5), 255).astype(np.uint8),
+                        np.arange(len(total)), are_near)
+    return _rows_of(total.astype(values.dtype), np.arange(len(total)), are_near)

@@ -1,0 +1,161 @@
+"""What surfaces take over from their source: the same bits by the package and by the filters."""
+
+import pathlib
+import sys
+import unittest
+import warnings
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkCellTypeSource, vtkSphereSource
+
+import vtkwinding
+from vtkwinding import _attributes
+from vtkwinding_native.vtkFiltersWinding import vtkWindingNumberSurface
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+
+import inputs  # noqa: E402
+
+VTK_TETRA = 10
+
+
+def sphere(x=0.0):
+    source = vtkSphereSource()
+    source.SetCenter(x, 0, 0)
+    source.SetThetaResolution(24)
+    source.SetPhiResolution(20)
+    source.Update()
+    data = vtkPolyData()
+    data.SetPoints(source.GetOutput().GetPoints())
+    data.SetPolys(source.GetOutput().GetPolys())
+    return data
+
+
+def add(attributes, name, values):
+    array = numpy_to_vtk(np.ascontiguousarray(values), 1)
+    array.SetName(name)
+    attributes.AddArray(array)
+
+
+def decorated(data):
+    """Gives a data set arrays of all kinds."""
+    points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    add(data.GetPointData(), "RGB", np.round(128 + 100 * points / abs(points).max()).astype("u1"))
+    data.GetPointData().SetActiveScalars("RGB")
+    add(data.GetPointData(), "TCoords", points[:, :2].astype("f4"))
+    data.GetPointData().SetActiveTCoords("TCoords")
+    add(data.GetPointData(), "Height", points[:, 2])
+    add(data.GetPointData(), "Label", np.where(points[:, 2] > 0, 7, 70000).astype("i4"))
+    names = vtkStringArray()
+    names.SetName("Name")
+    for height in points[:, 2]:
+        names.InsertNextValue("up" if height > 0 else "down")
+    data.GetPointData().AddArray(names)
+    count = data.GetNumberOfCells()
+    add(data.GetCellData(), "GroupIds", (np.arange(count) % 3).astype("i4"))
+    add(data.GetCellData(), "Cell", np.arange(count))
+    groups = vtkStringArray()
+    groups.SetName("GroupNames")
+    for name in "abc":
+        groups.InsertNextValue(name)
+    data.GetFieldData().AddArray(groups)
+    return data
+
+
+def blocks(*parts):
+    made = vtkMultiBlockDataSet()
+    for number, part in enumerate(parts):
+        made.SetBlock(2 * number, part)
+    return made
+
+
+def tetrahedra():
+    source = vtkCellTypeSource()
+    source.SetCellType(VTK_TETRA)
+    source.SetBlocksDimensions(3, 3, 3)
+    source.Update()
+    return source.GetOutput()
+
+
+def filtered(data, takes, **options):
+    """The surface of the filter, with its attributes or without."""
+    surface = vtkWindingNumberSurface()
+    surface.SetInputDataObject(data)
+    surface.SetResolution(20)
+    surface.SetTransferAttributes(takes)
+    surface.SetGenerateNearestCells(takes)
+    for name, value in options.items():
+        getattr(surface, f"Set{name}")(value)
+    surface.Update()
+    return surface.GetOutput()
+
+
+def arrays_of(attributes):
+    found = {}
+    for number in range(attributes.GetNumberOfArrays()):
+        array = attributes.GetAbstractArray(number)
+        found[array.GetName()] = vtk_to_numpy(array) if array.IsNumeric() else np.array(
+            [array.GetValue(row) for row in range(array.GetNumberOfValues())], object)
+    return found
+
+
+class AttributesTest(unittest.TestCase):
+    def test_package_and_filters_give_the_same_bits(self):
+        cases = {
+            "surface": (decorated(sphere()), {}, {}),
+            "blocks": (blocks(decorated(sphere()), decorated(sphere(1.7))), {}, {}),
+            "cells": (decorated(tetrahedra()), {}, {}),
+            "half": (decorated(sphere(0.8)), {"Mirror": "x=0"}, {"mirror": b"x=0"}),
+        }
+        for name, (data, of_filter, of_package) in cases.items():
+            with self.subTest(name):
+                expected, made = filtered(data, 1, **of_filter), filtered(data, 0, **of_filter)
+                _attributes.Attributes(data, of_package, transfer=True, numbers=True).add_to(made)
+                for one, other in ((made.GetPointData(), expected.GetPointData()),
+                                   (made.GetCellData(), expected.GetCellData()),
+                                   (made.GetFieldData(), expected.GetFieldData())):
+                    found, wanted = arrays_of(one), arrays_of(other)
+                    self.assertEqual(found.keys(), wanted.keys())
+                    for array, values in wanted.items():
+                        np.testing.assert_array_equal(found[array], values, array)
+                self.assertEqual(made.GetPointData().GetScalars().GetName(), "RGB")
+                self.assertEqual(made.GetPointData().GetTCoords().GetName(), "TCoords")
+
+    def test_arrays_that_blocks_do_not_share_are_named(self):
+        first, second = decorated(sphere()), decorated(sphere(1.7))
+        second.GetPointData().RemoveArray("Height")
+        notes = []
+        _attributes.Attributes(blocks(first, second), {}, transfer=True, numbers=False,
+                               note=notes.append)
+        self.assertEqual(len(notes), 1)
+        self.assertIn("Height is not taken over", notes[0])
+
+    def test_places_of_arrays(self):
+        points, triangles = inputs.sphere()
+        points, triangles = np.array(points), np.array(triangles)
+        field = vtkwinding.Field(points, triangles)
+        samples = np.random.default_rng(931).uniform(-2, 2, (300, 3))
+        samples[7] = np.nan
+        places = field.nearest(samples)
+        self.assertEqual(places.nearest[7], -1)
+        self.assertTrue(np.isnan(places.weights[7]).all())
+        near = places.nearest >= 0
+        np.testing.assert_array_equal(triangles[places.nearest[near]], places.corners[near])
+        nearest = (points[places.corners[near]] * places.weights[near][..., None]).sum(1)
+        distances = abs(field.signed_distance(samples[near], dtype=float))
+        np.testing.assert_allclose(
+            np.linalg.norm(samples[near] - nearest, axis=1), distances, rtol=1e-12)
+        cloud = vtkwinding.Field(points, normals=points)
+        of_cloud = cloud.nearest(samples[near])
+        squares = ((samples[near][:, None] - points) ** 2).sum(2)
+        np.testing.assert_array_equal(of_cloud.nearest, squares.argmin(1))
+        self.assertEqual(vtkwinding.Field(np.empty((0, 3)), np.empty((0, 3), int)).nearest(
+            [[0, 0, 0]]).nearest.tolist(), [-1])
+
+
+if __name__ == "__main__":
+    warnings.simplefilter("error", vtkwinding.WindingWarning)
+    unittest.main()
