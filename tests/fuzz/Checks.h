@@ -39,7 +39,12 @@ std::string checkLevel(Choices& choices);
 
 /// Edges and roots of operations on several sources: LevelCheck.cxx.
 std::string checkBoolean(Choices& choices);
+
+/// Offsets and shells of solids: LevelCheck.cxx.
 std::string checkShape(Choices& choices);
+
+/// Places of inputs that are nearest to samples: NearestCheck.cxx.
+std::string checkNearest(Choices& choices);
 
 /// Sharp surfaces: SharpCheck.cxx.
 std::string checkSharp(Choices& choices);
@@ -69,8 +74,8 @@ inline std::vector<NamedCheck> allChecks()
   return {{"surface_field", checkSurfaceField}, {"cloud_field", checkCloudField},
     {"coverage", checkCoverage}, {"orientation", checkOrientation}, {"completion", checkCompletion},
     {"level", checkLevel}, {"boolean", checkBoolean}, {"shape", checkShape},
-    {"voxel_trees", checkVoxelTrees}, {"sharp", checkSharp}, {"lattice", checkLattice},
-    {"library", checkLibrary}};
+    {"nearest", checkNearest}, {"voxel_trees", checkVoxelTrees}, {"sharp", checkSharp},
+    {"lattice", checkLattice}, {"library", checkLibrary}};
 }
 
 } // namespace fuzz

@@ -171,10 +171,12 @@ def command_for(chance, name, other):
         return ["field", name, "-o", "out.vti", *grid, *method, *cloud, *extra], ["out.vti"]
     if command in ("surface", "voxels"):
         output = "out" + chance.choice((".obj", ".stl", ".ply", ".vtp"))
-        shape = chance.choice(([], ["--offset", "0.2"], ["--offset=-0.1"], ["--fill-cavities"],
-                               ["--shell", "0.3", "--shell-side", "centered"]))
-        return [command, name, "-o", output, *grid, *method, *cloud,
-                *(shape if command == "surface" else [])], [output]
+        more = chance.choice(([], ["--offset", "0.2"], ["--offset=-0.1"], ["--fill-cavities"],
+                              ["--shell", "0.3", "--shell-side", "centered"],
+                              ["--transfer-attributes"], ["--nearest-cells"],
+                              ["--transfer-attributes", "--nearest-cells"]))
+        extra = more if command == "surface" else []
+        return [command, name, "-o", output, *grid, *method, *cloud, *extra], [output]
     if command == "sharp":
         output = "out" + chance.choice((".obj", ".stl", ".ply", ".vtp"))
         extra = chance.choice(([], ["--triangles"], ["--close-border"], ["--fidelity", "20"],
@@ -185,6 +187,7 @@ def command_for(chance, name, other):
         output = "out" + chance.choice((".obj", ".stl", ".ply", ".vtp"))
         operation = chance.choice(("union", "intersection", "difference", "xor"))
         extra = chance.choice(([], ["--features", "sharp"], ["--rules", "absolute,signed"],
+                               ["--transfer-attributes", "--nearest-cells"],
                                ["--thresholds", "0.3,1.5"], ["--verify", "20", "--json"]))
         pair = chance.choice(([name, other], [other, name], [name, name]))
         return ["boolean", *pair, "-o", output, "--operation", operation, *grid, *method, *cloud,
