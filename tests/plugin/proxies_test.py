@@ -102,6 +102,8 @@ SETTABLE = {
         "GenerateTriangles": (1, "1"),
         "FidelitySamples": (100, "100"),
         "GenerateDistanceToInput": (1, "1"),
+        "TransferAttributes": (1, "1"),
+        "GenerateNearestCells": (1, "1"),
     },
     "WindingNumberBoolean": {
         **COMMON,
@@ -112,6 +114,8 @@ SETTABLE = {
         "OutputPointsPrecision": (1, "1"),
         "Features": (1, "1"),
         "GenerateTriangles": (1, "1"),
+        "TransferAttributes": (1, "1"),
+        "GenerateNearestCells": (1, "1"),
     },
     "WindingNumberHyperTree": {
         **COMMON,

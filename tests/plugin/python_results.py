@@ -134,7 +134,8 @@ def of_source(name, mesh, is_cloud):
         **grid, Coverage="Any Overlap", GenerateWindingNumber=0, InsideRule="Absolute"))
     note(f"{name} voxels", simple.WindingNumberVoxels(Input=field))
     note(f"{name} surface", simple.WindingNumberSurface(
-        **grid, FidelitySamples=100, GenerateDistanceToInput=1))
+        **grid, FidelitySamples=100, GenerateDistanceToInput=1, TransferAttributes=1,
+        GenerateNearestCells=1))
     note(f"{name} sharp surface", simple.WindingNumberSurface(
         **grid, Features="Sharp", CloseBorder=1, OrientFaces=1, WindingThreshold=0.4))
     queries = simple.Sphere(Radius=0.7, ThetaResolution=20, PhiResolution=20)

@@ -9,12 +9,13 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyDa
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 
 from vtkwinding import _datasets, _library, _options
+from vtkwinding._attributes import Attributes
 from vtkwinding._errors import WindingError
 
 from .algorithm import RUN, Algorithm, copied, declared, new_array, refuse_beyond_memory
 from .grids import GridAlgorithm, sample_count, whole_extent
 from .ranks import Ranks
-from .sources import kind_of
+from .sources import REPLICATED, kind_of
 
 _SHARP = 1
 _FIDELITY = (("LargestDistanceFromInput", "largest_from_source"),
@@ -74,8 +75,16 @@ class WindingNumberSurface(GridAlgorithm):
             data = vtkDataObject.GetData(inputs[0])
             self.source_kind = kind_of(data)
             self.lay_out_grid(data, ranks)
+            wishes = {"transfer": bool(self.value("TransferAttributes")),
+                      "numbers": bool(self.value("GenerateNearestCells"))}
+            if any(wishes.values()) and not (
+                    ranks.are_alone or self.value("SourceDistribution") == REPLICATED):
+                raise WindingError("cells of other ranks have no numbers here: use Source "
+                                   "Distribution: Replicated, or run one rank")
             if self.prepare(data, ranks):
                 self._make(output)
+                if any(wishes.values()):
+                    self._add_nearest(data, wishes, output)
         return 1
 
     def _make(self, output):
@@ -130,6 +139,16 @@ class WindingNumberSurface(GridAlgorithm):
                       None, ctypes.byref(values), RUN, note=lambda text: None)
         array = copied("DistanceToInput", np.abs(distances).astype(points.dtype))
         output.GetPointData().SetScalars(array)
+
+    def _add_nearest(self, data, wishes, output):
+        """What Transfer Attributes and Generate Nearest Cells ask for."""
+        options = {"mirror": _options.words("mirror", self.value("Mirror")),
+                   "weld_tolerance": self.value("WeldTolerance")}
+        attributes = Attributes(
+            data, options, threads=self.value("NumberOfThreads"), note=self.warn,
+            as_points=bool(self.value("SourceAsPoints")),
+            surface_cells=bool(self.value("UseSurfaceCells")), **wishes)
+        attributes.add_to(output)
 
     def _compare(self, mesh, output):
         found = _library.Fidelity()
