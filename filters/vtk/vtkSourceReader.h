@@ -7,15 +7,19 @@
  * format it has.
  *
  * - PLY (.ply), as text or in either order of bytes: vertices, and faces; at
- *   the vertices, where there are any, normals "Normals", colours of bytes "RGB" or "RGBA", and
+ *   the vertices, where there are any, normals "Normals", colours "RGB" or "RGBA" as bytes, and
  *   texture coordinates "TCoords" in single precision, as vtkPLYReader names them. Strips of
- *   triangles (tristrips) become triangles. Other elements and properties are passed over.
+ *   triangles (tristrips) become triangles. With ReadAllColumns other single numbers of vertices,
+ *   and of faces where these are of one element, become arrays, of integers where the file has
+ *   these, and so do colours of faces. Other elements and properties are passed over.
  * - STL (.stl), as text or binary: the triangles of all solids, each with three points of its own,
  *   in the order of the file. The filters of this module weld them; others may need
  *   vtkStaticCleanPolyData. The normals of facets and all attributes are passed over.
  * - Wavefront (.obj): vertices, faces, lines and points. Point normals "Normals" where there are as
- *   many as vertices and no corner names the normal of another vertex. Texture coordinates,
- *   colours, groups, materials and free-form geometry are passed over.
+ *   many as vertices and no corner names the normal of another vertex. Colours behind positions
+ *   become "RGB", and objects, groups and materials numbers of faces, with their names in the field
+ *   data. With ReadAllColumns texture coordinates become "TCoords": a vertex is there once for each
+ *   that its corners name. Free-form geometry is passed over.
  * - Geomview's Object File Format (.off), as text: the keyword OFF with the prefixes ST, C and N in
  *   any order, the counts on the same line or the next, comments from '#' on, one vertex and one
  *   face on a line. Faces with two corners become lines, those with one become vertices; a file
@@ -130,8 +134,9 @@ public:
   ///@}
 
   ///@{
-  /// For tables, points whose columns have names, and .ply: whether columns other than positions,
-  /// normals and areas are read, too. In .ply these are single numbers of vertices. VTK looks
+  /// For tables, points whose columns have names, .ply and .obj: whether columns other than
+  /// positions, normals and areas are read, too. In .ply these are single numbers of vertices and
+  /// faces, and in .obj texture coordinates. VTK looks
   /// through all arrays for each one that is added, so ten thousand columns take a second. Default:
   /// on.
   vtkSetMacro(ReadAllColumns, bool);
