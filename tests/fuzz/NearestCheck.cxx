@@ -56,6 +56,7 @@ std::string checkNearest(const std::vector<InputPlace>& places, const std::vecto
     {
       distances[i] = distanceOf(samples[n], i);
     }
+    distances.push_back(std::numeric_limits<double>::infinity());
     const double nearest = *std::min_element(distances.begin(), distances.end());
     if (!places[n].exists())
     {
@@ -87,6 +88,16 @@ std::string checkSame(
   const std::vector<Point> backward(samples.rbegin(), samples.rend());
   std::vector<InputPlace> reversed = placesOf(input, backward, threads);
   std::reverse(reversed.begin(), reversed.end());
+  std::vector<InputPlace> together(samples.size());
+  input.findAt({samples.front().data(), samples.size()}, together.data(), threads);
+  const auto areOnSame = [](const InputPlace& a, const InputPlace& b)
+  {
+    return a.view == b.view && a.primitive == b.primitive;
+  };
+  if (!std::equal(places.begin(), places.end(), together.begin(), areOnSame))
+  {
+    return "places of samples depend on whether they are searched for together";
+  }
   const bool same = std::equal(places.begin(), places.end(), again.begin(), areSame) &&
                     std::equal(places.begin(), places.end(), reversed.begin(), areSame);
   return same ? "" : "places depend on threads or on the order of samples";

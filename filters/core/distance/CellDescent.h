@@ -3,6 +3,7 @@
 #include "base/Executor.h"
 #include "distance/NearestItems.h"
 #include "distance/NearestLists.h"
+#include "distance/NearestNumbers.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -29,7 +30,8 @@ namespace winding
  *   std::pair<Part, Part> halves(part), for a part of at least two samples;
  *   void forEach(part, f), which calls f(position, sample) for each sample that is asked for, where
  *     the sample's name is of a type Samples::Name;
- *   void write(squared, sample), where `squared` is the square of its distance;
+ *   void write(squared, number, sample), where `squared` is the square of its distance, and
+ *     `number` the nearest item's, if numbers are wanted (NearestNumbers.h);
  *   bool isSettled(part, distance, rounding), which may be left out: whether the distance of the
  *     middle of a part's box, as it is rounded, says all that is asked of its samples.
  * Samples that move within the box of their part have, in place of the last two,
@@ -47,10 +49,14 @@ public:
   static constexpr bool areMoving = std::is_same_v<typename Samples::Name, std::monostate>;
 
   /// limit: distances beyond it, in scaled coordinates, are not asked for. Keeps references.
-  CellDescent(const DistanceTree& tree, double limit, const Samples& samples)
+  /// `numbers`, if it is not null, gives samples the numbers of what is nearest, and there is no
+  /// limit.
+  CellDescent(const DistanceTree& tree, double limit, const Samples& samples,
+    const NearestNumbers* numbers = nullptr)
     : tree_(tree)
     , limit_(limit)
     , samples_(samples)
+    , numbers_(numbers)
     , lists_(tree, limit)
     , items_(tree)
   {
@@ -234,6 +240,13 @@ private:
     }
   }
 
+  /// The number of what is nearest to a sample, found by a search from a point that is near; none
+  /// where none is wanted.
+  std::uint32_t numberOf(const Eigen::Vector3d& position, const SourcePoint& nearby) const
+  {
+    return numbers_ ? numbers_->find(&position, 1, nearby.item).number : NearestNumbers::none;
+  }
+
   /// The square of a sample's distance, found by a search from a point that is near.
   double searched(const Eigen::Vector3d& position, const SourcePoint& nearby)
   {
@@ -255,7 +268,10 @@ private:
     {
       samples_.forEach(part,
         [&](const Eigen::Vector3d& position, const typename Samples::Name& sample)
-        { samples_.write(this->searched(position, nearby), sample); });
+        {
+          samples_.write(
+            this->searched(position, nearby), this->numberOf(position, nearby), sample);
+        });
     }
   }
 
@@ -269,8 +285,9 @@ private:
     else
     {
       const double squared = this->searched(place, nearby);
+      const std::uint32_t number = this->numberOf(place, nearby);
       samples_.forEach(part, [&](const Eigen::Vector3d&, const typename Samples::Name& sample)
-        { samples_.write(squared, sample); });
+        { samples_.write(squared, number, sample); });
     }
   }
 
@@ -306,9 +323,13 @@ private:
     std::fill_n(squared, padded, std::numeric_limits<double>::infinity());
     tree_.lowerSquaredDistances(items, itemCount, block_, squared);
     work_ += static_cast<double>(padded * itemCount);
+    if (numbers_)
+    {
+      numbers_->findAmong(items, itemCount, block_, squared, found_);
+    }
     for (std::size_t n = 0; n < block_.count; ++n)
     {
-      samples_.write(squared[n], names_[n]);
+      samples_.write(squared[n], numbers_ ? found_[n] : NearestNumbers::none, names_[n]);
     }
     block_.count = 0;
   }
@@ -316,11 +337,13 @@ private:
   const DistanceTree& tree_;
   const double limit_;
   const Samples& samples_;
+  const NearestNumbers* numbers_;
   NearestLists lists_;
   NearestItems items_;
   std::deque<Candidates> candidates_; ///< of the cells that lie in each other, from the largest on
   SampleBlock block_;
   typename Samples::Name names_[SampleBlock::capacity]; ///< of the samples of the block
+  std::uint32_t found_[SampleBlock::capacity];          ///< numbers of what is nearest to them
   double work_ = 0;           ///< samples times items of the cells that are done
   bool hasEvaluated_ = false; ///< true after the first cell, so that every task gets on
   std::vector<Part> left_;
@@ -349,14 +372,14 @@ enum class TaskProgress
 template <class Samples>
 void evaluateByCells(const DistanceTree& tree, double limit, const Samples& samples,
   std::vector<typename Samples::Part> parts, Executor& executor,
-  TaskProgress progress = TaskProgress::shown)
+  TaskProgress progress = TaskProgress::shown, const NearestNumbers* numbers = nullptr)
 {
   for (; !parts.empty(); progress = TaskProgress::hidden)
   {
     std::vector<std::vector<typename Samples::Part>> left(parts.size());
     const auto work = [&](std::size_t n)
     {
-      left[n] = CellDescent<Samples>(tree, limit, samples).run(parts[n]);
+      left[n] = CellDescent<Samples>(tree, limit, samples, numbers).run(parts[n]);
     };
     if (progress == TaskProgress::shown)
     {

@@ -225,6 +225,20 @@ void DistanceTree::findNearestOfEach(
   }
 }
 
+void DistanceTree::lowerNumbers(const std::uint32_t* items, std::size_t count,
+  const SampleBlock& samples, const double* squaredLimits, double* least) const
+{
+  const std::uint32_t* const names = tree_.order().data();
+  if (points_.empty())
+  {
+    lowerNames(triangles_.data(), items, count, names, samples, squaredLimits, least);
+  }
+  else
+  {
+    lowerNames(points_.data(), items, count, names, samples, squaredLimits, least);
+  }
+}
+
 bool DistanceTree::isNearer(
   std::uint32_t triangle, const SampleBlock& samples, const double* limits) const
 {

@@ -76,6 +76,9 @@ public:
     const SampleBlock& samples, double* squared) const;
   void findNearestOfEach(const std::uint32_t* items, std::size_t count, const SampleBlock& samples,
     Nearest* nearest) const;
+  /// Names are the numbers that items have in the source.
+  void lowerNumbers(const std::uint32_t* items, std::size_t count, const SampleBlock& samples,
+    const double* squaredLimits, double* least) const;
   bool isNearer(std::uint32_t triangle, const SampleBlock& samples, const double* limits) const;
   ///@}
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace winding
 {
@@ -44,19 +45,27 @@ Eigen::Vector3i blockSizeOf(const Grid& grid)
 class WrittenSamples : public GridSamples
 {
 public:
-  WrittenSamples(const Grid& grid, const Extent& asked, double scale, const FieldOutput& output)
+  WrittenSamples(const Grid& grid, const Extent& asked, double scale, const FieldOutput& output,
+    std::uint32_t* numbers)
     : GridSamples(grid, asked, scale)
     , output_(output)
+    , numbers_(numbers)
   {
   }
 
-  void write(double squared, std::size_t sample) const
+  void write(double squared, std::uint32_t number, std::size_t sample) const
   {
+    if (numbers_)
+    {
+      numbers_[sample] = number;
+      return;
+    }
     output_.writeDistance(std::sqrt(squared) / this->scale(), sample);
   }
 
 private:
   const FieldOutput& output_;
+  std::uint32_t* numbers_; ///< null for distances
 };
 
 } // namespace
@@ -72,7 +81,7 @@ GridDistances::GridDistances(
   for (int axis = 0; axis < 3; ++axis)
   {
     firstBlock_[axis] = extent[2 * axis] / blockSize_[axis];
-    blocks_[axis] =
+    blockCounts_[axis] =
       isEmpty(extent) ? 0 : extent[2 * axis + 1] / blockSize_[axis] - firstBlock_[axis] + 1;
   }
 }
@@ -80,22 +89,34 @@ GridDistances::GridDistances(
 /// The samples of a block of the whole grid, whether asked for or not.
 Extent GridDistances::samplesOfBlock(std::size_t number) const
 {
-  const Extent blocks = {0, blocks_[0] - 1, 0, blocks_[1] - 1, 0, blocks_[2] - 1};
+  const Extent blocks = {0, blockCounts_[0] - 1, 0, blockCounts_[1] - 1, 0, blockCounts_[2] - 1};
   const Eigen::Vector3i first =
     (firstBlock_ + sampleIndex(blocks, number)).cwiseProduct(blockSize_);
   const Eigen::Vector3i last = (first + blockSize_).cwiseMin(grid_.dimensions);
   return {first[0], last[0] - 1, first[1], last[1] - 1, first[2], last[2] - 1};
 }
 
-void GridDistances::evaluate(Executor& executor) const
+std::vector<Extent> GridDistances::blocks() const
 {
-  std::vector<Extent> parts(static_cast<std::size_t>(blocks_.cast<std::int64_t>().prod()));
+  std::vector<Extent> parts(static_cast<std::size_t>(blockCounts_.cast<std::int64_t>().prod()));
   for (std::size_t number = 0; number < parts.size(); ++number)
   {
     parts[number] = this->samplesOfBlock(number);
   }
+  return parts;
+}
+
+void GridDistances::evaluate(Executor& executor) const
+{
   evaluateByCells(tree_, output_.distanceLimit * tree_.scale(),
-    WrittenSamples(grid_, extent_, tree_.scale(), output_), std::move(parts), executor);
+    WrittenSamples(grid_, extent_, tree_.scale(), output_, nullptr), this->blocks(), executor);
+}
+
+void GridDistances::findNumbers(const NumberOutput& output, Executor& executor) const
+{
+  evaluateByCells(tree_, std::numeric_limits<double>::infinity(),
+    WrittenSamples(grid_, extent_, tree_.scale(), output_, output.to), this->blocks(), executor,
+    TaskProgress::shown, output.numbers);
 }
 
 } // namespace winding

@@ -3,6 +3,7 @@
 #include "base/Executor.h"
 #include "base/FieldOutput.h"
 #include "distance/DistanceTree.h"
+#include "distance/NearestNumbers.h"
 #include "source/Grid.h"
 
 #include <vector>
@@ -33,16 +34,21 @@ public:
   /// Writes the distances. Throws Interrupted.
   void evaluate(Executor& executor) const;
 
+  /// Writes the numbers of the items that are nearest to the samples, in the same way, and leaves
+  /// the output of distances alone. Throws Interrupted.
+  void findNumbers(const NumberOutput& output, Executor& executor) const;
+
 private:
+  std::vector<Extent> blocks() const;
   Extent samplesOfBlock(std::size_t number) const;
 
   const DistanceTree& tree_;
   const Grid& grid_;
   const Extent extent_;
   const FieldOutput& output_;
-  Eigen::Vector3i blockSize_;  ///< samples of a block along each axis
-  Eigen::Vector3i firstBlock_; ///< first block that the extent reaches into
-  Eigen::Vector3i blocks_;     ///< number of blocks along each axis that it reaches into
+  Eigen::Vector3i blockSize_;   ///< samples of a block along each axis
+  Eigen::Vector3i firstBlock_;  ///< first block that the extent reaches into
+  Eigen::Vector3i blockCounts_; ///< number of blocks along each axis that it reaches into
 };
 
 } // namespace winding

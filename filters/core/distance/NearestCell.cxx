@@ -39,8 +39,9 @@ void NearestRounding::setNearest(NearestCell& cell, const Nearest& nearest) cons
 double NearestRounding::of(const NearestCell& cell) const
 {
   // Four distances are rounded: from the nearest item and from another one, each from a sample
-  // and from a corner of the cell.
-  return cell.nearest.rounding + 4 * roundingOfOffset(std::sqrt(cell.squaredReach), sourceSize_);
+  // and from a corner of the cell. Items that count as equally near (NearestNumbers.h) are up to
+  // two roundings farther than the nearest one, and one more is for that sum.
+  return cell.nearest.rounding + 7 * roundingOfOffset(std::sqrt(cell.squaredReach), sourceSize_);
 }
 
 double NearestRounding::slackOf(const NearestCell& cell) const

@@ -132,6 +132,45 @@ HWY_INLINE void lower(const Item* HWY_RESTRICT items, const std::uint32_t* HWY_R
   }
 }
 
+template <class Item>
+HWY_INLINE void lowerNamesOf(const Item* HWY_RESTRICT items,
+  const std::uint32_t* HWY_RESTRICT numbers, std::size_t count,
+  const std::uint32_t* HWY_RESTRICT names, const SampleBlock& samples,
+  const double* HWY_RESTRICT limits, double* HWY_RESTRICT least)
+{
+  using D = hn::CappedTag<double, samplesAtOnce>;
+  const D d;
+  for (std::size_t s = 0; s < samples.count; s += hn::Lanes(d))
+  {
+    const Offsets<D> sample = {
+      hn::Load(d, samples.x + s), hn::Load(d, samples.y + s), hn::Load(d, samples.z + s)};
+    const auto limit = hn::Load(d, limits + s);
+    auto lowest = hn::Load(d, least + s);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      NearestOffsets<D> nearest = {limit, sample};
+      takeNearer(d, items[numbers[i]], sample, nearest);
+      const auto name = hn::Set(d, static_cast<double>(names[numbers[i]]));
+      lowest = hn::IfThenElse(hn::Lt(nearest.squared, limit), hn::Min(lowest, name), lowest);
+    }
+    hn::Store(lowest, d, least + s);
+  }
+}
+
+void lowerNamesOfTriangles(const NearTriangle* triangles, const std::uint32_t* numbers,
+  std::size_t count, const std::uint32_t* names, const SampleBlock& samples,
+  const double* squaredLimits, double* least)
+{
+  lowerNamesOf(triangles, numbers, count, names, samples, squaredLimits, least);
+}
+
+void lowerNamesOfPoints(const NearPoint* points, const std::uint32_t* numbers, std::size_t count,
+  const std::uint32_t* names, const SampleBlock& samples, const double* squaredLimits,
+  double* least)
+{
+  lowerNamesOf(points, numbers, count, names, samples, squaredLimits, least);
+}
+
 bool isTriangleNearer(
   const NearTriangle& triangle, const SampleBlock& samples, const double* squaredLimits)
 {
@@ -252,6 +291,8 @@ namespace winding
 
 HWY_EXPORT(lowerByTriangles);
 HWY_EXPORT(lowerByPoints);
+HWY_EXPORT(lowerNamesOfTriangles);
+HWY_EXPORT(lowerNamesOfPoints);
 HWY_EXPORT(isTriangleNearer);
 HWY_EXPORT(findOfEachAmongTriangles);
 HWY_EXPORT(findOfEachAmongPoints);
@@ -302,6 +343,22 @@ void lowerSquaredDistances(const NearPoint* points, const std::uint32_t* numbers
   const SampleBlock& samples, double* squared)
 {
   HWY_DYNAMIC_DISPATCH(lowerByPoints)(points, numbers, count, samples, squared);
+}
+
+void lowerNames(const NearTriangle* triangles, const std::uint32_t* numbers, std::size_t count,
+  const std::uint32_t* names, const SampleBlock& samples, const double* squaredLimits,
+  double* least)
+{
+  HWY_DYNAMIC_DISPATCH(lowerNamesOfTriangles)
+  (triangles, numbers, count, names, samples, squaredLimits, least);
+}
+
+void lowerNames(const NearPoint* points, const std::uint32_t* numbers, std::size_t count,
+  const std::uint32_t* names, const SampleBlock& samples, const double* squaredLimits,
+  double* least)
+{
+  HWY_DYNAMIC_DISPATCH(lowerNamesOfPoints)
+  (points, numbers, count, names, samples, squaredLimits, least);
 }
 
 bool isNearer(const NearTriangle& triangle, const SampleBlock& samples, const double* squaredLimits)

@@ -69,6 +69,19 @@ void lowerSquaredDistances(const NearPoint* points, const std::uint32_t* numbers
 bool isNearer(
   const NearTriangle& triangle, const SampleBlock& samples, const double* squaredLimits);
 
+///@{
+/// Lowers least[i] to the least name of the items of some numbers whose distance from sample i, as
+/// the loops compute it, is below the sample's limit. An item has the name names[item], a whole
+/// number. The arrays have an entry for each sample and those that pad a block, and are aligned as
+/// it is.
+void lowerNames(const NearTriangle* triangles, const std::uint32_t* numbers, std::size_t count,
+  const std::uint32_t* names, const SampleBlock& samples, const double* squaredLimits,
+  double* least);
+void lowerNames(const NearPoint* points, const std::uint32_t* numbers, std::size_t count,
+  const std::uint32_t* names, const SampleBlock& samples, const double* squaredLimits,
+  double* least);
+///@}
+
 /// The nearest point that was found.
 struct Nearest
 {

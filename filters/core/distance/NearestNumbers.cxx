@@ -46,10 +46,7 @@ NearestNumbers::Answer NearestNumbers::find(
   {
     return answer;
   }
-  const double distance = std::sqrt(nearest.squared);
-  const double reach = distance + 2 * roundingOfOffset(distance, tree_.size());
-  // An item at distance 0 is below the limit, too.
-  const Nearest limit = {std::nextafter(reach * reach, infinite), {0, 0, 0}, none};
+  const Nearest limit = {this->limitOf(nearest.squared), {0, 0, 0}, none};
   for (std::size_t n = 0; n < count; ++n)
   {
     const std::uint32_t before = answer.number;
@@ -57,6 +54,31 @@ NearestNumbers::Answer NearestNumbers::find(
     answer.place = answer.number < before ? n : answer.place;
   }
   return answer;
+}
+
+/// Returns what squared distances are below that are as near as one.
+double NearestNumbers::limitOf(double squared) const
+{
+  const double distance = std::sqrt(squared);
+  const double reach = distance + 2 * roundingOfOffset(distance, tree_.size());
+  // An item at distance 0 is below the limit, too.
+  return std::nextafter(reach * reach, std::numeric_limits<double>::infinity());
+}
+
+void NearestNumbers::findAmong(const std::uint32_t* items, std::size_t count,
+  const SampleBlock& samples, const double* squared, std::uint32_t* found) const
+{
+  alignas(64) double limits[SampleBlock::capacity];
+  alignas(64) double least[SampleBlock::capacity];
+  const std::size_t padded = (samples.count + samplesAtOnce - 1) / samplesAtOnce * samplesAtOnce;
+  for (std::size_t n = 0; n < padded; ++n)
+  {
+    limits[n] = this->limitOf(squared[n]);
+    least[n] = none;
+  }
+  tree_.lowerNumbers(items, count, samples, limits, least);
+  std::transform(least, least + samples.count, found,
+    [](double number) { return static_cast<std::uint32_t>(number); });
 }
 
 /// Lowers `least` to the least number of a node's items within a limit.
@@ -82,10 +104,14 @@ void NearestNumbers::findLeast(const Eigen::Vector3d& place, std::uint32_t numbe
   std::uint32_t children[4];
   for (std::uint32_t i = 0; i < node.children; ++i)
   {
-    children[i] = node.firstChild + i;
+    const std::uint32_t child = node.firstChild + i;
+    std::uint32_t at = i;
+    for (; at > 0 && leastOfNodes_[child] < leastOfNodes_[children[at - 1]]; --at)
+    {
+      children[at] = children[at - 1];
+    }
+    children[at] = child;
   }
-  std::sort(children, children + node.children,
-    [this](std::uint32_t a, std::uint32_t b) { return leastOfNodes_[a] < leastOfNodes_[b]; });
   for (std::uint32_t i = 0; i < node.children; ++i)
   {
     this->findLeast(place, children[i], limit, least);

@@ -42,12 +42,26 @@ public:
   /// that are not finite. `guess` is an item that is likely to be near, or none.
   Answer find(const Eigen::Vector3d* places, std::size_t count, std::uint32_t guess = none) const;
 
+  /// Sets found[i] to the number of the nearest item of sample i of a block, whose squared distance
+  /// is squared[i], from items that hold all which are equally near. Both arrays have an entry for
+  /// each sample and those that pad a block, and `squared` is aligned as the block is.
+  void findAmong(const std::uint32_t* items, std::size_t count, const SampleBlock& samples,
+    const double* squared, std::uint32_t* found) const;
+
 private:
+  double limitOf(double squared) const;
   void findLeast(const Eigen::Vector3d& place, std::uint32_t node, const Nearest& limit,
     std::uint32_t& least) const;
 
   const DistanceTree& tree_;
   std::vector<std::uint32_t> leastOfNodes_; ///< least number of a node's items
+};
+
+/// The place for numbers of samples' nearest items, in the samples' order.
+struct NumberOutput
+{
+  const NearestNumbers* numbers = nullptr; ///< null where none are wanted
+  std::uint32_t* to = nullptr;
 };
 
 } // namespace winding

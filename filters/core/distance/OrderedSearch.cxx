@@ -37,9 +37,10 @@ void OrderedSearch::descend(const PlaceSamples::Part& part)
   if (box.min() == box.max())
   {
     // Any number of samples may be at one place.
-    const double squared = this->searched(box.min());
-    PlaceSamples::forEach(
-      part, [&](const Eigen::Vector3d&, std::size_t sample) { samples_.write(squared, sample); });
+    std::uint32_t number = NearestNumbers::none;
+    const double squared = this->searched(box.min(), number);
+    PlaceSamples::forEach(part,
+      [&](const Eigen::Vector3d&, std::size_t sample) { samples_.write(squared, number, sample); });
     return;
   }
   const auto halves = PlaceSamples::halves(part);
@@ -56,12 +57,14 @@ void OrderedSearch::searchEach(const PlaceSamples::Part& part)
       left_.push_back({place, part.last});
       return;
     }
-    samples_.write(this->searched(place->position), place->sample);
+    std::uint32_t number = NearestNumbers::none;
+    const double squared = this->searched(place->position, number);
+    samples_.write(squared, number, place->sample);
   }
 }
 
-/// The square of a place's distance.
-double OrderedSearch::searched(const Eigen::Vector3d& position)
+/// Returns the square of a place's distance. Sets `number` to the nearest item's, if it is wanted.
+double OrderedSearch::searched(const Eigen::Vector3d& position, std::uint32_t& number)
 {
   Nearest nearest = {squaredLimit_, {0, 0, 0}};
   if (hasFound_)
@@ -73,6 +76,10 @@ double OrderedSearch::searched(const Eigen::Vector3d& position)
   {
     hasFound_ = true;
     lastItem_ = nearest.item;
+  }
+  if (const NearestNumbers* const numbers = samples_.numbers())
+  {
+    number = numbers->find(&position, 1, lastItem_).number;
   }
   return nearest.squared;
 }

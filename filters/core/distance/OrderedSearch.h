@@ -35,7 +35,7 @@ public:
 private:
   void descend(const PlaceSamples::Part& part);
   void searchEach(const PlaceSamples::Part& part);
-  double searched(const Eigen::Vector3d& position);
+  double searched(const Eigen::Vector3d& position, std::uint32_t& number);
 
   const DistanceTree& tree_;
   const PlaceSamples& samples_;

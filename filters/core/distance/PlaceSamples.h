@@ -2,6 +2,7 @@
 
 #include "base/Bounds.h"
 #include "base/FieldOutput.h"
+#include "distance/NearestNumbers.h"
 #include "distance/PlaceBuckets.h"
 
 #include <algorithm>
@@ -23,9 +24,10 @@ public:
   };
   using Name = std::size_t;
 
-  PlaceSamples(double scale, const FieldOutput& output)
+  PlaceSamples(double scale, const FieldOutput& output, const NumberOutput& numbers = {})
     : scale_(scale)
     , output_(output)
+    , numbers_(numbers)
   {
   }
 
@@ -65,14 +67,23 @@ public:
     }
   }
 
-  void write(double squared, std::size_t sample) const
+  void write(double squared, std::uint32_t number, std::size_t sample) const
   {
+    if (numbers_.to)
+    {
+      numbers_.to[sample] = number;
+      return;
+    }
     output_.writeDistance(std::sqrt(squared) / scale_, sample);
   }
+
+  /// Returns the finder of numbers, which are wanted instead of distances; null for distances.
+  const NearestNumbers* numbers() const { return numbers_.numbers; }
 
 private:
   double scale_;
   const FieldOutput& output_;
+  NumberOutput numbers_;
 };
 
 } // namespace winding

@@ -44,20 +44,24 @@ bool areSparse(const DistanceTree& tree, double limit, const PlaceSamples::Part&
 
 } // namespace
 
-void evaluateDistances(const DistanceTree& tree, const VectorsView& samples,
-  const FieldOutput& output, Executor& executor)
+namespace
+{
+
+/// Writes the distances of samples, or the numbers of what is nearest to them if these are wanted.
+void evaluate(const DistanceTree& tree, const VectorsView& samples, const FieldOutput& output,
+  const NumberOutput& numbers, Executor& executor)
 {
   const double limit = output.distanceLimit * tree.scale();
   Buckets<Place> buckets =
     sortIntoBuckets(samples, tree.scale(), samplesPerTask(samples.size()), executor);
-  const PlaceSamples places(tree.scale(), output);
+  const PlaceSamples places(tree.scale(), output, numbers);
   Parts parts(buckets.count());
   for (std::size_t bucket = 0; bucket < parts.size(); ++bucket)
   {
     parts[bucket] = {buckets.begin(bucket), buckets.end(bucket)};
   }
   PlaceSamples::forEach(parts.back(), [&](const Eigen::Vector3d&, std::size_t sample)
-    { output.writeDistance(std::numeric_limits<double>::quiet_NaN(), sample); });
+    { places.write(std::numeric_limits<double>::quiet_NaN(), NearestNumbers::none, sample); });
   parts.pop_back();
 
   const bool areFew = !tree.empty() && samples.size() < tree.node(0).size();
@@ -67,10 +71,25 @@ void evaluateDistances(const DistanceTree& tree, const VectorsView& samples,
     const PlaceSamples::Part& part = parts[n];
     const bool searches = areFew && places.isAskedFor(part) && areSparse(tree, limit, part);
     left[n] = searches ? OrderedSearch(tree, limit, places).run(part)
-                       : CellDescent<PlaceSamples>(tree, limit, places).run(part);
+                       : CellDescent<PlaceSamples>(tree, limit, places, numbers.numbers).run(part);
   };
   executor.run(parts.size(), work);
-  evaluateByCells(tree, limit, places, joined(left), executor, TaskProgress::hidden);
+  evaluateByCells(
+    tree, limit, places, joined(left), executor, TaskProgress::hidden, numbers.numbers);
+}
+
+} // namespace
+
+void evaluateDistances(const DistanceTree& tree, const VectorsView& samples,
+  const FieldOutput& output, Executor& executor)
+{
+  evaluate(tree, samples, output, {}, executor);
+}
+
+void findNearestNumbers(const DistanceTree& tree, const VectorsView& samples,
+  const NumberOutput& output, Executor& executor)
+{
+  evaluate(tree, samples, {}, output, executor);
 }
 
 std::vector<double> distancesFrom(

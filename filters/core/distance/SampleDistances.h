@@ -4,6 +4,7 @@
 #include "base/FieldOutput.h"
 #include "base/Views.h"
 #include "distance/DistanceTree.h"
+#include "distance/NearestNumbers.h"
 
 #include <vector>
 
@@ -26,6 +27,11 @@ namespace winding
  */
 void evaluateDistances(const DistanceTree& tree, const VectorsView& samples,
   const FieldOutput& output, Executor& executor);
+
+/// Writes the numbers of the items that are nearest to scattered samples, in the same way and with
+/// the same guarantee; none at samples that are NaN or infinite. Throws Interrupted.
+void findNearestNumbers(const DistanceTree& tree, const VectorsView& samples,
+  const NumberOutput& output, Executor& executor);
 
 /// Returns these distances without signs.
 std::vector<double> distancesFrom(

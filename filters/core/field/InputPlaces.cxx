@@ -1,5 +1,7 @@
 #include "field/InputPlaces.h"
 
+#include "distance/GridDistances.h"
+#include "distance/SampleDistances.h"
 #include "source/PointCloud.h"
 #include "source/Sanitize.h"
 #include "source/Surface.h"
@@ -139,21 +141,28 @@ std::size_t InputPlaces::bytesFor(bool areTriangles, std::size_t primitives)
          ((areTriangles ? perTriangle : perPoint) + perNode) * primitives;
 }
 
+/// Returns the place on the primitive of a number, without weights.
+InputPlace InputPlaces::placeOf(std::uint32_t number) const
+{
+  InputPlace place;
+  if (number != NearestNumbers::none)
+  {
+    const auto next = std::upper_bound(starts_.begin(), starts_.end(), number);
+    const auto view = static_cast<std::size_t>(next - starts_.begin()) - 1;
+    place.view = static_cast<std::uint32_t>(view);
+    place.primitive = primitives_.empty() ? static_cast<std::uint32_t>(number - starts_[view])
+                                          : primitives_[number];
+  }
+  return place;
+}
+
 InputPlace InputPlaces::placeOf(
   const NearestNumbers::Answer& answer, const Eigen::Vector3d& image) const
 {
-  InputPlace place;
-  if (answer.number == NearestNumbers::none)
+  InputPlace place = this->placeOf(answer.number);
+  if (place.exists() && !triangles_.empty())
   {
-    return place;
-  }
-  const auto next = std::upper_bound(starts_.begin(), starts_.end(), answer.number);
-  const auto view = static_cast<std::size_t>(next - starts_.begin()) - 1;
-  place.view = static_cast<std::uint32_t>(view);
-  place.primitive = primitives_.empty() ? static_cast<std::uint32_t>(answer.number - starts_[view])
-                                        : primitives_[answer.number];
-  if (!triangles_.empty())
-  {
+    const std::size_t view = place.view;
     const double scale = tree_.scale();
     const auto corner = [&](std::size_t n) -> Eigen::Vector3d
     {
@@ -208,6 +217,43 @@ void InputPlaces::find(std::size_t count,
         }
       }
     });
+}
+
+/// Describes the places of samples by the numbers that are nearest to them.
+void InputPlaces::describe(
+  const std::vector<std::uint32_t>& numbers, InputPlace* places, Executor& executor) const
+{
+  forEachItem(
+    numbers.size(), [&](std::size_t n) { places[n] = this->placeOf(numbers[n]); }, executor);
+}
+
+void InputPlaces::findOnGrid(
+  const Grid& grid, const Extent& extent, InputPlace* places, Executor& executor) const
+{
+  if (!mirror_.isNone())
+  {
+    this->find(
+      sampleCount(extent), [&](std::size_t n) { return grid.sample(extent, n); }, places, executor);
+    return;
+  }
+  std::vector<std::uint32_t> numbers(sampleCount(extent), NearestNumbers::none);
+  const FieldOutput noDistances;
+  GridDistances(tree_, grid, extent, noDistances)
+    .findNumbers({&numbers_, numbers.data()}, executor);
+  this->describe(numbers, places, executor);
+}
+
+void InputPlaces::findAt(const VectorsView& samples, InputPlace* places, Executor& executor) const
+{
+  if (!mirror_.isNone())
+  {
+    this->find(
+      samples.size(), [&](std::size_t n) { return samples[n]; }, places, executor);
+    return;
+  }
+  std::vector<std::uint32_t> numbers(samples.size(), NearestNumbers::none);
+  findNearestNumbers(tree_, samples, {&numbers_, numbers.data()}, executor);
+  this->describe(numbers, places, executor);
 }
 
 } // namespace winding

@@ -4,6 +4,7 @@
 #include "base/Views.h"
 #include "distance/DistanceTree.h"
 #include "distance/NearestNumbers.h"
+#include "source/Grid.h"
 #include "surface/Mirror.h"
 
 #include <Eigen/Core>
@@ -69,9 +70,20 @@ public:
   void find(std::size_t count, const std::function<Eigen::Vector3d(std::size_t)>& positionOf,
     InputPlace* places, Executor& executor) const;
 
+  ///@{
+  /// Finds the views and primitives of places as find() does, without weights, for many samples
+  /// that share the search: samples of an extent of a grid, and scattered ones.
+  void findOnGrid(
+    const Grid& grid, const Extent& extent, InputPlace* places, Executor& executor) const;
+  void findAt(const VectorsView& samples, InputPlace* places, Executor& executor) const;
+  ///@}
+
 private:
+  void describe(
+    const std::vector<std::uint32_t>& numbers, InputPlace* places, Executor& executor) const;
   template <class View> void numberUsable(const std::vector<View>& views, std::size_t usable);
   void findImages(const Eigen::Vector3d& sample, std::vector<Eigen::Vector3d>& images) const;
+  InputPlace placeOf(std::uint32_t number) const;
   InputPlace placeOf(const NearestNumbers::Answer& answer, const Eigen::Vector3d& image) const;
 
   std::vector<TrianglesView> triangles_; ///< none for points

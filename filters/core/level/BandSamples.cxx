@@ -26,7 +26,7 @@ public:
   {
   }
 
-  void write(double squared, std::size_t sample) const
+  void write(double squared, std::uint32_t, std::size_t sample) const
   {
     states_[sample] = band_.contains(states_[sample] != 0, std::sqrt(squared) / this->scale());
   }

@@ -164,6 +164,42 @@ TEST(InputPlaces, AreTheSameByThreadsInAnyOrderAndAtAnyScale)
   }
 }
 
+TEST(InputPlaces, OfGridsAndOfManySamplesAreThoseOfEachSample)
+{
+  SCOPED_TRACE("seed 916");
+  const Mesh meshes[] = {cube(), icosphere(3), torus(40, 20), triangleSoup(500, 916),
+    surfaceOf(randomCells(4, 916)), cube().with(cube())};
+  ShuffledThreads threads(916);
+  for (const Mesh& mesh : meshes)
+  {
+    const InputPlaces input({mesh.view()}, "", threads);
+    // Planes of the first grid go through the middles of cubes and spheres, where much is equal.
+    for (const double shift : {0.0, 0.123})
+    {
+      winding::Grid grid;
+      grid.firstSample = Point(-1.5 + shift, -1.5, -1.5);
+      grid.spacing = Point(0.125, 0.125, 0.125);
+      grid.dimensions = Eigen::Vector3i(25, 25, 25);
+      const winding::Extent extent = {0, 24, 3, 24, 5, 20};
+      const std::size_t count = winding::sampleCount(extent);
+      std::vector<Point> samples;
+      for (std::size_t n = 0; n < count; ++n)
+      {
+        samples.push_back(grid.sample(extent, n));
+      }
+      std::vector<InputPlace> onGrid(count), scattered(count);
+      input.findOnGrid(grid, extent, onGrid.data(), threads);
+      input.findAt({samples.front().data(), count}, scattered.data(), threads);
+      const std::vector<InputPlace> each = placesOf(input, samples);
+      for (std::size_t n = 0; n < count; ++n)
+      {
+        ASSERT_EQ(onGrid[n].primitive, each[n].primitive) << samples[n].transpose();
+        ASSERT_EQ(scattered[n].primitive, each[n].primitive) << samples[n].transpose();
+      }
+    }
+  }
+}
+
 TEST(InputPlaces, HaveTheNumbersOfTheInputWhereSomeIsUnusable)
 {
   Mesh first = cube(), second = cube({3, 0, 0}, {4, 1, 1});
