@@ -3,6 +3,7 @@
 #include "base/Executor.h"
 #include "field/InsideOut.h"
 #include "messages/PropertyChecks.h"
+#include "private/output/NearestAttributes.h"
 #include "private/output/ResultArrays.h"
 #include "private/pipeline/ErrorReports.h"
 #include "private/pipeline/FreeMemory.h"
@@ -36,6 +37,11 @@ void vtkWindingNumberField::CheckProperties()
   this->Superclass::CheckProperties();
   winding::checkProperty(winding::Parameter::outputScalarType, this->OutputScalarType);
   winding::checkProperty(winding::Parameter::distanceBand, this->DistanceBand);
+  if (this->GenerateNearestCells)
+  {
+    winding::refuseNearestOfOtherRanks(
+      this->GetRanks(), winding::sourceDistribution(this->SourceDistribution));
+  }
 }
 
 void vtkWindingNumberField::HashProperties(winding::ContentHash& hash)
@@ -66,6 +72,7 @@ void vtkWindingNumberField::MakeImage(vtkDataObject* source, const winding::Exte
   const winding::Field& field = this->PrepareGridField(source);
   this->EvaluateVoxels(field, samples, results);
   results.addTo(attributes);
+  this->AddNearestCells(source, samples, attributes);
   this->DescribeMethod(image);
   this->Verify(field, samples, results.values());
 }
@@ -77,6 +84,7 @@ winding::ResultOptions vtkWindingNumberField::GetResultOptions() const
   options.withInside = this->GenerateInside != 0 || this->Coverage != CENTER;
   options.withDistances = this->WantsDistances();
   options.withCoverage = this->Coverage == FRACTION;
+  options.withNearest = this->GenerateNearestCells != 0;
   options.scalarType = this->OutputScalarType;
   options.name = winding::textOf(this->ResultArrayName);
   return options;
@@ -85,6 +93,39 @@ winding::ResultOptions vtkWindingNumberField::GetResultOptions() const
 double vtkWindingNumberField::GetResultBytes(vtkIdType samples) const
 {
   return winding::bytesOf(this->GetResultOptions(), samples);
+}
+
+std::size_t vtkWindingNumberField::GetAdditionalBytes(
+  const winding::Field& field, vtkIdType samples)
+{
+  const winding::FieldInfo& info = field.info();
+  return this->Superclass::GetAdditionalBytes(field, samples) +
+         (this->GenerateNearestCells
+             ? winding::NearestAttributes::bytesFor(info.isSurface, info.inputPrimitives)
+             : 0);
+}
+
+void vtkWindingNumberField::AddNearestCells(
+  vtkDataObject* source, const winding::Extent& samples, vtkDataSetAttributes* attributes)
+{
+  if (!this->GenerateNearestCells)
+  {
+    return;
+  }
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(1, 1);
+  const winding::NearestAttributes nearest(
+    source, this->GetSourceOptions(), {true, false}, executor);
+  const winding::Grid& grid = this->GetSampling();
+  if (this->Frame->isStraight())
+  {
+    nearest.addNumbers(grid, samples, attributes, executor);
+    return;
+  }
+  nearest.addNumbers(
+    winding::sampleCount(samples),
+    [&](std::size_t n) { return this->Frame->inSpace(grid.sample(samples, n)); }, attributes,
+    executor);
 }
 
 void vtkWindingNumberField::EvaluateVoxels(
@@ -161,6 +202,7 @@ void vtkWindingNumberField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateWindingNumber: " << this->GenerateWindingNumber << "\n";
   os << indent << "GenerateInside: " << this->GenerateInside << "\n";
   os << indent << "GenerateSignedDistance: " << this->GenerateSignedDistance << "\n";
+  os << indent << "GenerateNearestCells: " << this->GenerateNearestCells << "\n";
   os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "DistanceBand: " << this->DistanceBand << "\n";

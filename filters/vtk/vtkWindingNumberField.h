@@ -85,6 +85,17 @@ public:
   ///@}
 
   ///@{
+  /// Whether to add the array "NearestCell" (vtkIdType): the id, in its data set, of the source's
+  /// cell that is nearest to each sample, or of a cloud's point; -1 where there
+  /// is none. With composite sources "NearestBlock" (int) has the flat index of the data set.
+  /// Equally near cells, and parallel programs, are as in vtkWindingNumberSurfaceAlgorithm. Each
+  /// execution searches anew. Default off.
+  vtkSetMacro(GenerateNearestCells, vtkTypeBool);
+  vtkGetMacro(GenerateNearestCells, vtkTypeBool);
+  vtkBooleanMacro(GenerateNearestCells, vtkTypeBool);
+  ///@}
+
+  ///@{
   /// The name of the array of w. Default "WindingNumber".
   vtkSetStringMacro(ResultArrayName);
   vtkGetStringMacro(ResultArrayName);
@@ -137,10 +148,12 @@ protected:
   bool WantsDistances() const override { return this->GenerateSignedDistance != 0; }
   double GetDistanceLimit() const override;
   double GetResultBytes(vtkIdType samples) const override;
+  std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
 
   vtkTypeBool GenerateWindingNumber = 1;
   vtkTypeBool GenerateInside = 0;
   vtkTypeBool GenerateSignedDistance = 0;
+  vtkTypeBool GenerateNearestCells = 0;
   char* ResultArrayName = nullptr;
   int OutputScalarType = VTK_FLOAT;
   double DistanceBand = 0;
@@ -149,6 +162,8 @@ protected:
 
 private:
   winding::ResultOptions GetResultOptions() const;
+  void AddNearestCells(
+    vtkDataObject* source, const std::array<int, 6>& samples, vtkDataSetAttributes* attributes);
   void EvaluateVoxels(const winding::Field& field, const std::array<int, 6>& samples,
     const winding::ResultArrays& results);
 };

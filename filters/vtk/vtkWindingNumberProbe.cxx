@@ -3,8 +3,10 @@
 #include "field/Field.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
+#include "private/output/NearestAttributes.h"
 #include "private/output/ResultArrays.h"
 #include "private/pipeline/FreeMemory.h"
+#include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/probe/InsidePart.h"
 #include "private/probe/ProbeCells.h"
@@ -19,6 +21,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -64,6 +67,45 @@ void vtkWindingNumberProbe::CheckProperties()
   this->Superclass::CheckProperties();
   winding::checkProperty(winding::Parameter::probeAssociation, this->ProbeAssociation);
   winding::checkProperty(winding::Parameter::outputScalarType, this->OutputScalarType);
+  if (this->GenerateNearestCells)
+  {
+    winding::refuseNearestOfOtherRanks(
+      this->GetRanks(), winding::sourceDistribution(this->SourceDistribution));
+  }
+}
+
+std::size_t vtkWindingNumberProbe::GetAdditionalBytes(
+  const winding::Field& field, vtkIdType samples)
+{
+  const winding::FieldInfo& info = field.info();
+  return this->Superclass::GetAdditionalBytes(field, samples) +
+         (this->GenerateNearestCells
+             ? winding::NearestAttributes::bytesFor(info.isSurface, info.inputPrimitives)
+             : 0);
+}
+
+void vtkWindingNumberProbe::FinishSamples(
+  const winding::Field&, const winding::ProbeQueries& queries, const unsigned char*)
+{
+  this->NearestCells->Initialize();
+  if (!this->GenerateNearestCells)
+  {
+    return;
+  }
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(1, 1);
+  const winding::NearestAttributes nearest(
+    this->GetInputDataObject(1, 0), this->GetSourceOptions(), {true, false}, executor);
+  if (queries.grid() && queries.frame().isStraight())
+  {
+    nearest.addNumbers(
+      *queries.grid(), queries.grid()->wholeExtent(), this->NearestCells, executor);
+    return;
+  }
+  nearest.addNumbers(
+    static_cast<std::size_t>(queries.size()),
+    [&](std::size_t n) { return queries.frame().inSpace(queries.position(n)); }, this->NearestCells,
+    executor);
 }
 
 winding::ResultOptions vtkWindingNumberProbe::GetResultOptions() const
@@ -73,6 +115,7 @@ winding::ResultOptions vtkWindingNumberProbe::GetResultOptions() const
   options.withInside = this->GenerateInside != 0;
   options.withDistances = this->WantsDistances();
   options.withFraction = this->GenerateFraction != 0;
+  options.withNearest = this->GenerateNearestCells != 0;
   options.scalarType = this->OutputScalarType;
   options.name = winding::textOf(this->ResultArrayName);
   const std::string insideName = winding::textOf(this->InsideArrayName);
@@ -161,6 +204,10 @@ void vtkWindingNumberProbe::AddArrays(
   {
     ofAll->RemoveArray(results.inside()->GetName());
   }
+  for (int i = 0; i < this->NearestCells->GetNumberOfArrays(); ++i)
+  {
+    ofAll->AddArray(this->NearestCells->GetArray(i));
+  }
 }
 
 vtkSmartPointer<vtkDataSet> vtkWindingNumberProbe::PartOf(
@@ -177,6 +224,7 @@ void vtkWindingNumberProbe::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateInside: " << this->GenerateInside << "\n";
   os << indent << "GenerateSignedDistance: " << this->GenerateSignedDistance << "\n";
   os << indent << "GenerateFraction: " << this->GenerateFraction << "\n";
+  os << indent << "GenerateNearestCells: " << this->GenerateNearestCells << "\n";
   os << indent << "ResultArrayName: " << winding::textOf(this->ResultArrayName) << "\n";
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   os << indent << "ExtractInside: " << this->ExtractInside << "\n";

@@ -41,9 +41,11 @@
 #ifndef vtkWindingNumberProbe_h
 #define vtkWindingNumberProbe_h
 
+#include "vtkNew.h" // for arrays of samples
 #include "vtkWindingNumberProbeAlgorithm.h"
 
 class vtkFloatArray;
+class vtkPointData;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberProbe : public vtkWindingNumberProbeAlgorithm
 {
@@ -116,6 +118,17 @@ public:
   ///@}
 
   ///@{
+  /// Whether to add the array "NearestCell" (vtkIdType): the id, in its data set, of the source's
+  /// cell that is nearest to each point or centre of a cell, or of a cloud's point; -1 where there
+  /// is none. With composite sources "NearestBlock" (int) has the flat index of the data set.
+  /// Equally near cells, and parallel programs, are as in vtkWindingNumberSurfaceAlgorithm. Each
+  /// execution searches anew. Default off.
+  vtkSetMacro(GenerateNearestCells, vtkTypeBool);
+  vtkGetMacro(GenerateNearestCells, vtkTypeBool);
+  vtkBooleanMacro(GenerateNearestCells, vtkTypeBool);
+  ///@}
+
+  ///@{
   /// The name of the array of w. Default "WindingNumber".
   vtkSetStringMacro(ResultArrayName);
   vtkGetStringMacro(ResultArrayName);
@@ -154,6 +167,9 @@ protected:
   void operator=(const vtkWindingNumberProbe&) = delete;
 
   void CheckProperties() override;
+  std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
+  void FinishSamples(const winding::Field& field, const winding::ProbeQueries& queries,
+    const unsigned char* inside) override;
 
   bool WantsDistances() const override { return this->GenerateSignedDistance != 0; }
   bool SamplesCells() const override { return this->ProbeAssociation == CELLS; }
@@ -178,6 +194,7 @@ protected:
   vtkTypeBool GenerateInside = 0;
   vtkTypeBool GenerateSignedDistance = 0;
   vtkTypeBool GenerateFraction = 0;
+  vtkTypeBool GenerateNearestCells = 0;
   char* ResultArrayName = nullptr;
   int OutputScalarType = VTK_FLOAT;
   vtkTypeBool ExtractInside = 0;
@@ -186,6 +203,7 @@ protected:
 private:
   vtkIdType CellsToFill = 0;                ///< of the input, if they get fractions
   vtkSmartPointer<vtkFloatArray> Fractions; ///< of the cells of all data sets; null between updates
+  vtkNew<vtkPointData> NearestCells;        ///< of all samples of the execution at hand
 };
 
 #endif

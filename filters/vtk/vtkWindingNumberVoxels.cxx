@@ -4,6 +4,7 @@
 #include "base/Refusal.h"
 #include "messages/Options.h"
 #include "private/output/HandedArrays.h"
+#include "private/output/NearestAttributes.h"
 #include "private/pipeline/ErrorReports.h"
 #include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/SmpExecutor.h"
@@ -243,14 +244,27 @@ void addCoverage(vtkDataSetAttributes* from, vtkIdType voxels,
 
 vtkStandardNewMacro(vtkWindingNumberVoxels);
 
+vtkWindingNumberVoxels::~vtkWindingNumberVoxels()
+{
+  this->SetMirror(nullptr);
+}
+
 vtkWindingNumberVoxels::vtkWindingNumberVoxels()
 {
+  this->SetNumberOfInputPorts(2);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::SCALARS);
 }
 
-int vtkWindingNumberVoxels::FillInputPortInformation(int, vtkInformation* info)
+int vtkWindingNumberVoxels::FillInputPortInformation(int port, vtkInformation* info)
 {
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   return 1;
 }
@@ -258,7 +272,13 @@ int vtkWindingNumberVoxels::FillInputPortInformation(int, vtkInformation* info)
 int vtkWindingNumberVoxels::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  winding::askForPiece(inputs[0]->GetInformationObject(0), 0, 1);
+  for (vtkInformationVector* input : {inputs[0], inputs[1]})
+  {
+    if (vtkInformation* info = input->GetInformationObject(0))
+    {
+      winding::askForPiece(info, 0, 1);
+    }
+  }
   return 1;
 }
 
@@ -271,7 +291,12 @@ int vtkWindingNumberVoxels::RequestData(
     return 1;
   }
   winding::reportErrors(this, {"not enough memory for the surface", lessMemory},
-    [&]() { this->MakeSurface(vtkImageData::GetData(inputs[0]), vtkPolyData::GetData(outInfo)); });
+    [&]()
+    {
+      vtkPolyData* const output = vtkPolyData::GetData(outInfo);
+      this->MakeSurface(vtkImageData::GetData(inputs[0]), output);
+      this->AddNearest(vtkDataObject::GetData(inputs[1]), output);
+    });
   return 1;
 }
 
@@ -337,6 +362,27 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
     });
 }
 
+void vtkWindingNumberVoxels::AddNearest(vtkDataObject* source, vtkPolyData* output)
+{
+  if (!source || output->GetNumberOfCells() == 0 ||
+      (!this->TransferAttributes && !this->GenerateNearestCells))
+  {
+    return;
+  }
+  winding::SourceOptions options;
+  options.input.estimateNormals = true; // none are needed
+  options.field.mirror = winding::textOf(this->Mirror);
+  winding::SmpExecutor executor(this, 0);
+  executor.setShare(1, 1);
+  const winding::NearestAttributes nearest(
+    source, options, {this->GenerateNearestCells != 0, this->TransferAttributes != 0}, executor);
+  nearest.addTo(output, executor);
+  if (const auto note = nearest.note())
+  {
+    vtkWarningMacro(<< winding::lineOf(*note));
+  }
+}
+
 void vtkWindingNumberVoxels::WarnOfNegative(vtkDataArray* values)
 {
   const winding::SideCounts counts = winding::countSides(
@@ -355,4 +401,7 @@ void vtkWindingNumberVoxels::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
   os << indent << "InsideRule: " << this->InsideRule << "\n";
   os << indent << "ByLabel: " << this->ByLabel << "\n";
+  os << indent << "TransferAttributes: " << this->TransferAttributes << "\n";
+  os << indent << "GenerateNearestCells: " << this->GenerateNearestCells << "\n";
+  os << indent << "Mirror: " << winding::textOf(this->Mirror) << "\n";
 }

@@ -19,6 +19,10 @@
  * from, and "To", the one that it looks to, 0 outside; and "Label", the former alone, which is
  * active. InsideRule and WindingThreshold have no effect then.
  *
+ * **Attributes.** Port 1 may have the source that the image was made of, a surface or points. With
+ * TransferAttributes or GenerateNearestCells points and quads then get what is nearest in it, as
+ * surfaces do (vtkWindingNumberSurfaceAlgorithm). Without a source they have no effect.
+ *
  * SetInputArrayToProcess(0, …) picks the array; if it picks none, the active scalars of the points
  * are taken, or else the cells'. Time is linear in voxels and quads; working memory is a
  * byte for each voxel and 9 for each quad, or with labels 2 bytes and 10. The order of points and
@@ -72,9 +76,36 @@ public:
   vtkBooleanMacro(ByLabel, int);
   ///@}
 
+  ///@{
+  /// The source that attributes come from, on port 1. Default: none.
+  void SetSourceConnection(vtkAlgorithmOutput* source) { this->SetInputConnection(1, source); }
+  void SetSourceData(vtkDataObject* source) { this->SetInputDataObject(1, source); }
+  ///@}
+
+  ///@{
+  /// Whether points and quads take over the arrays of the source. Default off.
+  vtkSetMacro(TransferAttributes, vtkTypeBool);
+  vtkGetMacro(TransferAttributes, vtkTypeBool);
+  vtkBooleanMacro(TransferAttributes, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// Whether to add "NearestCell" and "NearestBlock" to points and quads. Default off.
+  vtkSetMacro(GenerateNearestCells, vtkTypeBool);
+  vtkGetMacro(GenerateNearestCells, vtkTypeBool);
+  vtkBooleanMacro(GenerateNearestCells, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /// The planes of symmetry of a source that is one side of them, as
+  /// vtkWindingNumberAlgorithm::Mirror. Default: none.
+  vtkSetStringMacro(Mirror);
+  vtkGetStringMacro(Mirror);
+  ///@}
+
 protected:
   vtkWindingNumberVoxels();
-  ~vtkWindingNumberVoxels() override = default;
+  ~vtkWindingNumberVoxels() override;
 
   vtkWindingNumberVoxels(const vtkWindingNumberVoxels&) = delete;
   void operator=(const vtkWindingNumberVoxels&) = delete;
@@ -88,12 +119,16 @@ protected:
   double WindingThreshold = 0.5;
   int InsideRule = 0;
   int ByLabel = LABELS_AUTOMATIC;
+  vtkTypeBool TransferAttributes = 0;
+  vtkTypeBool GenerateNearestCells = 0;
+  char* Mirror = nullptr;
 
 private:
   /// The array that separates inside from outside; sets whether it is of the points or of the
   /// cells. Throws a refusal if there is none.
   vtkDataArray* FindValues(vtkImageData* image, int& association);
   void MakeSurface(vtkImageData* image, vtkPolyData* output);
+  void AddNearest(vtkDataObject* source, vtkPolyData* output);
   void WarnOfNegative(vtkDataArray* values);
 };
 

@@ -9,6 +9,7 @@
 #include "vtkFloatArray.h"
 #include "vtkGenericCell.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -21,7 +22,10 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkWindingNumberBoolean.h"
+#include "vtkWindingNumberField.h"
+#include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
+#include "vtkWindingNumberVoxels.h"
 
 #include <gtest/gtest.h>
 
@@ -468,4 +472,140 @@ TEST(NearestAttributesOfBooleans, SayWhichOperandAFaceLiesOn)
   // Faces along the seam have corners on both.
   EXPECT_LT(others, filter->GetOutput()->GetNumberOfCells() / 200); // measured: 20 of 12 212
   EXPECT_TRUE(filter->GetOutput()->GetPointData()->HasArray("RGB"));
+}
+
+namespace
+{
+
+/// Expects the nearest cell of each position to be no farther than any other, of some of them.
+void expectNearest(vtkDataArray* cells, vtkDataSet* source, vtkIdType count,
+  const std::function<Position(vtkIdType)>& positionOf)
+{
+  ASSERT_TRUE(cells);
+  ASSERT_EQ(cells->GetNumberOfTuples(), count);
+  for (vtkIdType n = 0; n < count; n += 1 + count / 12)
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (vtkIdType cell = 0; cell < source->GetNumberOfCells(); ++cell)
+    {
+      nearest = std::min(nearest, distanceFrom(source, cell, positionOf(n)));
+    }
+    const auto id = static_cast<vtkIdType>(cells->GetTuple1(n));
+    EXPECT_LT(distanceFrom(source, id, positionOf(n)), nearest + 1e-12);
+  }
+}
+
+} // namespace
+
+TEST(NearestCellsOfFields, AreTheSameAsPointsCellsInPiecesAndOnTurnedImages)
+{
+  const auto source = sphere();
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputData(source);
+  field->SetResolution(20);
+  field->GenerateNearestCellsOn();
+  const ErrorLog log(field);
+  field->Update();
+  EXPECT_EQ(log.errors(), "");
+  vtkNew<vtkImageData> whole;
+  whole->ShallowCopy(field->GetOutput());
+  vtkDataArray* const cells = whole->GetPointData()->GetArray("NearestCell");
+  expectNearest(
+    cells, source, whole->GetNumberOfPoints(), [&](vtkIdType n) { return pointOf(whole, n); });
+  EXPECT_STREQ(whole->GetPointData()->GetScalars()->GetName(), "WindingNumber");
+  EXPECT_FALSE(whole->GetPointData()->HasArray("NearestBlock"));
+  // A part has the ids of the whole.
+  int extent[6] = {3, 12, 0, 19, 5, 9};
+  field->UpdateExtent(extent);
+  vtkImageData* const part = field->GetOutput();
+  for (vtkIdType n = 0; n < part->GetNumberOfPoints(); ++n)
+  {
+    const vtkIdType same = whole->FindPoint(part->GetPoint(n));
+    ASSERT_EQ(part->GetPointData()->GetArray("NearestCell")->GetTuple1(n), cells->GetTuple1(same));
+  }
+  field->SetOutputAssociationToCells();
+  field->UpdateWholeExtent();
+  vtkDataArray* const ofCells = field->GetOutput()->GetCellData()->GetArray("NearestCell");
+  ASSERT_EQ(ofCells->GetNumberOfTuples(), cells->GetNumberOfTuples());
+  for (vtkIdType n = 0; n < cells->GetNumberOfTuples(); ++n)
+  {
+    ASSERT_EQ(ofCells->GetTuple1(n), cells->GetTuple1(n));
+  }
+  vtkNew<vtkImageData> turned;
+  turned->SetDimensions(6, 7, 8);
+  turned->SetSpacing(0.3, 0.3, 0.3);
+  turned->SetOrigin(-1, -0.5, -1);
+  turned->SetDirectionMatrix(0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1);
+  field->SetLikeData(turned);
+  field->SetOutputAssociationToPoints();
+  field->Update();
+  EXPECT_EQ(log.errors(), "");
+  expectNearest(field->GetOutput()->GetPointData()->GetArray("NearestCell"), source,
+    turned->GetNumberOfPoints(), [&](vtkIdType n) { return pointOf(turned, n); });
+  field->SetResultArrayName("NearestCell");
+  field->Update();
+  EXPECT_NE(log.errors().find("NearestCell"), std::string::npos) << log.errors();
+}
+
+TEST(NearestCellsOfProbes, AreOfPointsCellsAndBlocks)
+{
+  const auto source = sphere(), queries = sphere(0.7);
+  vtkNew<vtkWindingNumberProbe> probe;
+  probe->SetInputData(queries);
+  probe->SetSourceData(source);
+  probe->GenerateNearestCellsOn();
+  const ErrorLog log(probe);
+  probe->Update();
+  EXPECT_EQ(log.errors(), "");
+  expectNearest(probe->GetOutput()->GetPointData()->GetArray("NearestCell"), source,
+    queries->GetNumberOfPoints(), [&](vtkIdType n) { return pointOf(queries, n); });
+  EXPECT_STREQ(probe->GetOutput()->GetPointData()->GetScalars()->GetName(), "WindingNumber");
+  const auto between = sphere(2.5);
+  probe->SetInputData(between);
+  probe->SetProbeAssociationToCells();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(1, sphere(5));
+  blocks->SetBlock(0, source);
+  probe->SetSourceData(blocks);
+  probe->Update();
+  EXPECT_EQ(log.errors(), "");
+  vtkCellData* const data = probe->GetOutput()->GetCellData();
+  ASSERT_TRUE(data->HasArray("NearestCell"));
+  for (vtkIdType n = 0; n < between->GetNumberOfCells(); ++n)
+  {
+    const Position at = middleOf(between, n);
+    // Faces near the plane in the middle may be nearer to either sphere, whose faces are flat.
+    if (std::abs(at[0] - 2.5) > 0.01)
+    {
+      ASSERT_EQ(data->GetArray("NearestBlock")->GetTuple1(n), at[0] < 2.5 ? 1 : 2) << at[0];
+    }
+  }
+}
+
+TEST(NearestCellsOfVoxels, ComeFromTheirSource)
+{
+  const auto source = sphere();
+  addArrays(source);
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputData(source);
+  field->SetResolution(20);
+  field->GenerateInsideOn();
+  vtkNew<vtkWindingNumberVoxels> voxels;
+  voxels->SetInputConnection(field->GetOutputPort());
+  voxels->Update();
+  EXPECT_FALSE(voxels->GetOutput()->GetPointData()->HasArray("RGB"));
+  voxels->SetSourceData(source);
+  voxels->TransferAttributesOn();
+  voxels->GenerateNearestCellsOn();
+  const ErrorLog log(voxels);
+  voxels->Update();
+  EXPECT_EQ(log.errors(), "");
+  vtkPolyData* const surface = voxels->GetOutput();
+  EXPECT_LT(worstOf(surface, source), 1e-12); // measured: 0
+  ASSERT_TRUE(surface->GetPointData()->HasArray("RGB"));
+  for (vtkIdType n = 0; n < surface->GetNumberOfCells(); ++n)
+  {
+    ASSERT_EQ(surface->GetCellData()->GetArray("Cell")->GetTuple1(n),
+      surface->GetCellData()->GetArray("NearestCell")->GetTuple1(n));
+  }
 }

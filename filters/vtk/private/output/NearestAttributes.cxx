@@ -263,8 +263,56 @@ vtkIdType NearestAttributes::cellOf(const InputPlace& place) const
   return part.cells.empty() ? part.firstCell + place.primitive : part.cells[place.primitive];
 }
 
-void NearestAttributes::add(bool ofPoints, std::size_t count, const PositionOf& positionOf,
+NearestAttributes::FindPlaces NearestAttributes::searchAt(
+  const PositionOf& positionOf, Executor& executor) const
+{
+  return [this, &positionOf, &executor](std::size_t first, std::size_t count, InputPlace* places)
+  {
+    places_->find(
+      count, [&](std::size_t n) { return positionOf(first + n); }, places, executor);
+  };
+}
+
+void NearestAttributes::addNumbers(
+  const Grid& grid, const Extent& extent, vtkDataSetAttributes* to, Executor& executor) const
+{
+  // Whole layers are found at once.
+  const std::size_t count = sampleCount(extent);
+  const auto layers = static_cast<std::size_t>(std::max(extent[5] - extent[4] + 1, 1));
+  const std::size_t ofLayer = std::max<std::size_t>(count / layers, 1);
+  const std::size_t layersAtOnce = std::max<std::size_t>(placesAtOnce / ofLayer, 1);
+  this->add(
+    true, count, layersAtOnce * ofLayer,
+    [&](std::size_t first, std::size_t some, InputPlace* places)
+    {
+      Extent part = extent;
+      part[4] += static_cast<int>(first / ofLayer);
+      part[5] = part[4] + static_cast<int>(some / ofLayer) - 1;
+      places_->findOnGrid(grid, part, places, executor);
+    },
+    to, executor);
+}
+
+void NearestAttributes::addNumbers(std::size_t count, const PositionOf& positionOf,
   vtkDataSetAttributes* to, Executor& executor) const
+{
+  std::vector<double> positions;
+  this->add(
+    true, count, placesAtOnce,
+    [&](std::size_t first, std::size_t some, InputPlace* places)
+    {
+      positions.resize(3 * some);
+      for (std::size_t n = 0; n < some; ++n)
+      {
+        Eigen::Vector3d::Map(&positions[3 * n]) = positionOf(first + n);
+      }
+      places_->findAt({positions.data(), some}, places, executor);
+    },
+    to, executor);
+}
+
+void NearestAttributes::add(bool ofPoints, std::size_t count, std::size_t atOnce,
+  const FindPlaces& find, vtkDataSetAttributes* to, Executor& executor) const
 {
   const bool areCells = !triangles_.empty();
   const auto items = static_cast<vtkIdType>(count);
@@ -283,8 +331,8 @@ void NearestAttributes::add(bool ofPoints, std::size_t count, const PositionOf& 
       arrays.emplace_back(&transfer, arrayLike(model, items));
     }
   }
-  std::vector<InputPlace> places(std::min(count, placesAtOnce));
-  const auto write = [&](std::size_t n, const InputPlace& place, bool atOnce)
+  std::vector<InputPlace> places(std::min(count, atOnce));
+  const auto write = [&](std::size_t n, const InputPlace& place, bool byThreads)
   {
     const auto item = static_cast<vtkIdType>(n);
     vtkIdType ids[3] = {place.primitive, 0, 0};
@@ -303,7 +351,7 @@ void NearestAttributes::add(bool ofPoints, std::size_t count, const PositionOf& 
     }
     for (const auto& [transfer, array] : arrays)
     {
-      if (isThreadSafe(array) != atOnce)
+      if (isThreadSafe(array) != byThreads)
       {
         continue;
       }
@@ -316,7 +364,7 @@ void NearestAttributes::add(bool ofPoints, std::size_t count, const PositionOf& 
         transfer->writeNothing(array, item);
       }
     }
-    if (options_.withNumbers && atOnce)
+    if (options_.withNumbers && byThreads)
     {
       vtkIdType number = -1;
       if (place.exists())
@@ -333,11 +381,10 @@ void NearestAttributes::add(bool ofPoints, std::size_t count, const PositionOf& 
   };
   const bool isSerialAny = std::any_of(
     arrays.begin(), arrays.end(), [](const auto& pair) { return !isThreadSafe(pair.second); });
-  for (std::size_t first = 0; first < count; first += placesAtOnce)
+  for (std::size_t first = 0; first < count; first += atOnce)
   {
-    const std::size_t some = std::min(placesAtOnce, count - first);
-    places_->find(
-      some, [&](std::size_t n) { return positionOf(first + n); }, places.data(), executor);
+    const std::size_t some = std::min(atOnce, count - first);
+    find(first, some, places.data());
     forEachItem(
       some, [&](std::size_t n) { write(first + n, places[n], true); }, executor);
     for (std::size_t n = 0; n < some && isSerialAny; ++n)
@@ -366,13 +413,13 @@ void NearestAttributes::add(bool ofPoints, std::size_t count, const PositionOf& 
 void NearestAttributes::addPointData(std::size_t count, const PositionOf& positionOf,
   vtkDataSetAttributes* to, Executor& executor) const
 {
-  this->add(true, count, positionOf, to, executor);
+  this->add(true, count, placesAtOnce, this->searchAt(positionOf, executor), to, executor);
 }
 
 void NearestAttributes::addCellData(std::size_t count, const PositionOf& positionOf,
   vtkDataSetAttributes* to, Executor& executor) const
 {
-  this->add(false, count, positionOf, to, executor);
+  this->add(false, count, placesAtOnce, this->searchAt(positionOf, executor), to, executor);
 }
 
 void NearestAttributes::addTo(vtkPolyData* surface, Executor& executor) const

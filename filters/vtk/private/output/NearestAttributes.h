@@ -71,6 +71,15 @@ public:
     Executor& executor) const;
   ///@}
 
+  ///@{
+  /// Adds the ids to samples, which share the search: all of an extent of a grid in space, or
+  /// `count` scattered ones at positionOf(n). Arrays of the source were not asked for.
+  void addNumbers(
+    const Grid& grid, const Extent& extent, vtkDataSetAttributes* to, Executor& executor) const;
+  void addNumbers(std::size_t count, const PositionOf& positionOf, vtkDataSetAttributes* to,
+    Executor& executor) const;
+  ///@}
+
   /// Adds the arrays of points to the points of a surface, the arrays of cells to its faces, by the
   /// means of their corners, and names of regions to the field data.
   void addTo(vtkPolyData* surface, Executor& executor) const;
@@ -87,8 +96,12 @@ private:
   struct Part;
 
   void findArrays(bool ofPoints, std::vector<Transfer>& transfers);
-  void add(bool ofPoints, std::size_t count, const PositionOf& positionOf, vtkDataSetAttributes* to,
-    Executor& executor) const;
+  /// Finds the places of samples first … first + count − 1.
+  using FindPlaces = std::function<void(std::size_t first, std::size_t count, InputPlace* places)>;
+
+  void add(bool ofPoints, std::size_t count, std::size_t atOnce, const FindPlaces& find,
+    vtkDataSetAttributes* to, Executor& executor) const;
+  FindPlaces searchAt(const PositionOf& positionOf, Executor& executor) const;
   vtkIdType cellOf(const InputPlace& place) const;
 
   NearestOptions options_;

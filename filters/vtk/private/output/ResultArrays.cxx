@@ -70,7 +70,8 @@ double bytesOf(const ResultOptions& options, vtkIdType samples)
   const bool hasSides = options.withInside || (options.withDistances && !options.withValues);
   const vtkIdType perSample = (options.withValues ? ofNumber : 0) +
                               (options.withDistances ? ofNumber : 0) + (hasSides ? 1 : 0) +
-                              (options.withCoverage ? sizeof(float) : 0);
+                              (options.withCoverage ? sizeof(float) : 0) +
+                              (options.withNearest ? sizeof(vtkIdType) + sizeof(int) : 0);
   return static_cast<double>(perSample) * static_cast<double>(samples);
 }
 
@@ -81,6 +82,7 @@ void addTo(ContentHash& hash, const ResultOptions& options)
   hash.addValue(options.withDistances);
   hash.addValue(options.withCoverage);
   hash.addValue(options.withFraction);
+  hash.addValue(options.withNearest);
   hash.addValue(options.scalarType);
   hash.addText(options.name);
   hash.addText(options.insideName);
@@ -97,7 +99,8 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
   const std::string name = options.name.empty() ? "WindingNumber" : options.name;
   checkNames({{options.withValues, name}, {options.withInside, options.insideName},
     {options.withDistances, distanceName}, {options.withCoverage, coverageName},
-    {options.withFraction, fractionName}});
+    {options.withFraction, fractionName}, {options.withNearest, "NearestCell"},
+    {options.withNearest, "NearestBlock"}});
   refuseBeyondFreeMemory(bytesOf(options, samples),
     "the result of " + std::to_string(samples) + " samples", options.remedies);
   if (options.withValues)

@@ -27,6 +27,7 @@ struct ResultOptions
   bool withDistances = false; ///< the array "SignedDistance"
   bool withCoverage = false;  ///< the array "Coverage", of floats
   bool withFraction = false;  ///< the array of cells named fractionName, which the filter makes
+  bool withNearest = false;   ///< whether others make ids of nearest cells (NearestAttributes.h)
   int scalarType = VTK_FLOAT; ///< type of w and of distances: VTK_FLOAT or VTK_DOUBLE
   std::string name;           ///< name of the array of w; empty for "WindingNumber"
   std::string insideName = "Inside";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 namespace winding
 {
@@ -39,6 +40,12 @@ struct ImageFrame
   Eigen::Vector3d position(const Eigen::Vector3d& inSpace) const
   {
     return this->direction(inSpace - origin);
+  }
+  /// Returns the position in space of one in these coordinates, up to rounding.
+  Eigen::Vector3d inSpace(const Eigen::Vector3d& position) const
+  {
+    return this->isStraight() ? position
+                              : Eigen::Vector3d(inverseAxes.inverse() * position + origin);
   }
   Eigen::Vector3d direction(const Eigen::Vector3d& inSpace) const
   {
