@@ -78,6 +78,7 @@ void applyField(const Options& options, vtkWindingNumberField* filter)
   applyArrays(options, filter);
   filter->SetGenerateSignedDistance(options.distance);
   filter->SetDistanceBand(options.distanceBand);
+  filter->SetGenerateNearestCells(options.nearestCells);
 }
 
 void applyLabels(const Options& options, vtkWindingNumberLabels* filter)

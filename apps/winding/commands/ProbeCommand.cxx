@@ -15,6 +15,7 @@
 #include "program/Threads.h"
 
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkWindingNumberProbe.h"
 
@@ -41,6 +42,11 @@ std::vector<std::string> resultNames(const Options& options)
   if (options.distance)
   {
     names.push_back("SignedDistance");
+  }
+  if (options.nearestCells)
+  {
+    names.push_back("NearestCell");
+    names.push_back("NearestBlock"); // for several inputs
   }
   return names;
 }
@@ -156,6 +162,7 @@ void runProbe(const Options& options, Messages& messages)
   probe->GenerateInsideOn();
   probe->SetGenerateSignedDistance(options.distance);
   probe->SetGenerateFraction(options.fraction);
+  probe->SetGenerateNearestCells(options.nearestCells);
   probe->SetResultArrayName(options.array.c_str());
   probe->SetOutputScalarTypeToDouble();
   probe->SetInsideOut(options.insideOut);
@@ -169,7 +176,13 @@ void runProbe(const Options& options, Messages& messages)
       if (isTable(options.output))
       {
         warnOfEmptyTable(options, *probe, probed, messages);
-        writeTable({queries, probed, resultNames(options), options.extract}, *output);
+        std::vector<std::string> names = resultNames(options);
+        const auto isMissing = [&probed](const std::string& name)
+        {
+          return !probed.data->GetPointData()->HasArray(name.c_str());
+        };
+        names.erase(std::remove_if(names.begin(), names.end(), isMissing), names.end());
+        writeTable({queries, probed, names, options.extract}, *output);
       }
       else
       {

@@ -4,7 +4,6 @@
 #include "commands/WriteField.h"
 #include "files/Formats.h"
 #include "options/Options.h"
-#include "output/MeshFile.h"
 #include "output/OutputFile.h"
 #include "program/Messages.h"
 
@@ -13,25 +12,8 @@
 #include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberSurface.h"
 
-#include <string>
-
 namespace
 {
-
-/// Warns of arrays that were asked for and that the format of the output does not hold.
-void warnOfLostArrays(vtkPolyData* surface, const Options& options, Messages& messages)
-{
-  std::string names;
-  for (const std::string& name : arraysLostIn(suffixOf(options.output), surface))
-  {
-    names += (names.empty() ? "" : ", ") + name;
-  }
-  if (!names.empty() && (options.transferAttributes || options.nearestCells))
-  {
-    messages.warn(
-      options.output + ": the format does not hold " + names + "; .vtp holds all arrays");
-  }
-}
 
 /// Makes and writes the surface of a filter that has all options of its own.
 void writeSurface(
@@ -50,7 +32,6 @@ void writeSurface(
   filter.SetGenerateNearestCells(options.nearestCells);
   FieldRun run(filter, options, messages);
   run.update();
-  warnOfLostArrays(filter.GetOutput(), options, messages);
   writeResult(run, filter.GetOutput(), output.get());
   run.printReport();
 }

@@ -31,6 +31,7 @@ void runVoxels(const Options& given, Messages& messages)
   OutputFile output(options.output, filesToKeep(options));
   vtkNew<vtkWindingNumberField> field;
   applyField(options, field);
+  field->GenerateNearestCellsOff(); // faces have them, not voxels
   FieldRun run(*field, options, messages);
   run.update();
   if (isMedical(suffixOf(options.output)))
@@ -47,6 +48,10 @@ void runVoxels(const Options& given, Messages& messages)
     "Inside");
   voxels->SetWindingThreshold(0.5);
   voxels->SetInsideRule(vtkWindingNumberAlgorithm::SIGNED);
+  voxels->SetSourceData(field->GetInputDataObject(0, 0));
+  voxels->SetTransferAttributes(options.transferAttributes);
+  voxels->SetGenerateNearestCells(options.nearestCells);
+  voxels->SetMirror(options.mirror.c_str());
   {
     const Progress progress(voxels, Phase::evaluating, messages.isQuiet());
     voxels->Update();

@@ -4,6 +4,7 @@
 #include "files/Formats.h"
 #include "options/Options.h"
 #include "output/ImageFile.h"
+#include "output/MeshFile.h"
 #include "output/OutputFile.h"
 #include "output/PiecesFile.h"
 #include "output/WriteOutput.h"
@@ -21,6 +22,7 @@
 #include "vtkVariant.h"
 
 #include <functional>
+#include <string>
 
 namespace
 {
@@ -36,6 +38,22 @@ void writeOnFirst(FieldRun& run, OutputFile* file, const std::function<void()>& 
       file->commit();
     });
   run.report().setWriteSeconds(writing.seconds());
+}
+
+/// Warns of arrays that were asked for and that the format of the output does not hold.
+void warnOfLostArrays(vtkPolyData* surface, FieldRun& run)
+{
+  const Options& options = run.options();
+  std::string names;
+  for (const std::string& name : arraysLostIn(suffixOf(options.output), surface))
+  {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  if (!names.empty() && (options.transferAttributes || options.nearestCells))
+  {
+    run.messages().warn(
+      options.output + ": the format does not hold " + names + "; .vtp holds all arrays");
+  }
 }
 
 } // namespace
@@ -119,6 +137,7 @@ void writeResult(FieldRun& run, vtkPolyData* surface, OutputFile* file)
   writeOnFirst(run, file,
     [&]
     {
+      warnOfLostArrays(surface, run);
       writeSurface(surface, *file, run.messages());
       Json output = {{"file", file->name()}, {"points", surface->GetNumberOfPoints()},
         {"cells", surface->GetNumberOfCells()}};

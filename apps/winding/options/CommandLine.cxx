@@ -42,6 +42,7 @@ void addField(CLI::App& app, Options& options)
   CLI::Option* insideOnly = field->add_flag("--inside-only", options.insideOnly,
     "The array Inside and no winding numbers, which take four times the memory");
   addDistance(field, options);
+  addNearestCells(field, options);
   CLI::Option* band = field->add_option("--distance-band", options.distanceBand,
     "Distances up to so many voxels only, which takes less time; farther voxels get that distance "
     "(0: all)");
@@ -135,6 +136,7 @@ void addVoxels(CLI::App& app, Options& options)
     ->add_flag("--double", options.asDouble,
       "Compare winding numbers in double precision with the threshold, not in float")
     ->group("Output");
+  addNearest(voxels, options);
   addFieldOptions(voxels, options);
   addThreads(voxels, options);
   addLongestTime(voxels, options);
@@ -212,6 +214,7 @@ void addProbe(CLI::App& app, Options& options)
       "Add the cell array Fraction: the share of each cell of the points' mesh that is inside")
     ->group("Output");
   addDistance(probe, options);
+  addNearestCells(probe, options);
   addArrayName(probe, options);
   addMethod(probe, options);
   addThreads(probe, options);

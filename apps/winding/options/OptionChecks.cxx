@@ -84,7 +84,8 @@ void checkMedical(const Options& options)
   requireUsage(options.pieces == 1,
     "--pieces is for .vti and .pvti, and " + suffix + " is written as a whole; leave it out");
   const std::pair<const char*, bool> arrays[] = {{"--inside", options.inside},
-    {"--distance", options.distance}, {"--count", options.count},
+    {"--distance", options.distance}, {"--nearest-cells", options.nearestCells},
+    {"--transfer-attributes", options.transferAttributes}, {"--count", options.count},
     {"--shares", options.shares != 0}};
   for (const auto& [option, isGiven] : arrays)
   {
@@ -208,6 +209,14 @@ void checkTreeLike(const Options& options)
     "--like is an image, and .htg holds none; give the output another suffix or leave it out");
 }
 
+void checkTreeOfNearest(const Options& options)
+{
+  requireUsage(
+    suffixOf(options.output) != ".htg" || (!options.nearestCells && !options.transferAttributes),
+    "--nearest-cells and --transfer-attributes have no place in .htg; give the output another "
+    "suffix or leave them out");
+}
+
 void checkHyperTree(const Options& options, const WasGiven& wasGiven)
 {
   const bool isHyperTree = suffixOf(options.output) == ".htg";
@@ -219,6 +228,7 @@ void checkHyperTree(const Options& options, const WasGiven& wasGiven)
   requireUsage(!isHyperTree || !options.distance,
     "--distance needs an image, which .htg is not; give the output the suffix .vti or leave it "
     "out");
+  checkTreeOfNearest(options);
   requireUsage(!isHyperTree || !wasGiven("--pieces"),
     "--pieces is for images; a .htg is always made a few bricks of voxels at a time, so leave it "
     "out");
@@ -347,6 +357,7 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
     {
       checkCoverage(options, wasGiven);
       checkTreeLike(options);
+      checkTreeOfNearest(options);
     }
     requireUsage(!options.distance || suffixOf(options.output) == ".vtp",
       "--distance is for outputs .vtp; give the output that suffix or leave it out");

@@ -374,6 +374,16 @@ void addComparison(CLI::App* command, Options& options)
     ->group("Run");
 }
 
+void addNearestCells(CLI::App* command, Options& options)
+{
+  command
+    ->add_flag("--nearest-cells", options.nearestCells,
+      "Add the array NearestCell, the number of the input's nearest cell or point, and, for "
+      "several "
+      "inputs, NearestBlock, which input it is in: 1 for the first")
+    ->group("Output");
+}
+
 void addNearest(CLI::App* command, Options& options)
 {
   command
@@ -381,12 +391,7 @@ void addNearest(CLI::App* command, Options& options)
       "Take colours, texture coordinates, labels and other arrays over from the input: points get "
       "what its nearest triangle has there, faces what the cell nearest to their middle has")
     ->group("Output");
-  command
-    ->add_flag("--nearest-cells", options.nearestCells,
-      "Add the array NearestCell, the number of the input's nearest cell or point, and, for "
-      "several "
-      "inputs, NearestBlock, which input it is in: 1 for the first")
-    ->group("Output");
+  addNearestCells(command, options);
 }
 
 void addCoverage(CLI::App* command, Options& options)

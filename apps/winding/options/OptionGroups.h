@@ -61,6 +61,8 @@ void addFeatures(CLI::App* command, Options& options);
 void addShape(CLI::App* command, Options& options);
 void addComparison(CLI::App* command, Options& options);
 
+void addNearestCells(CLI::App* command, Options& options);
+
 /// Adds what a surface takes over from its source.
 void addNearest(CLI::App* command, Options& options);
 void addCoverage(CLI::App* command, Options& options);

@@ -51,6 +51,10 @@ const char* typeInXml(vtkDataArray* array)
     return "UInt8";
   case VTK_UNSIGNED_SHORT:
     return "UInt16";
+  case VTK_INT:
+    return "Int32";
+  case VTK_ID_TYPE:
+    return sizeof(vtkIdType) == sizeof(int) ? "Int32" : "Int64";
   default:
     return "Float32";
   }
