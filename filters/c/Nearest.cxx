@@ -40,7 +40,8 @@ struct PlaceArrays
   }
 };
 
-/// Finds the places of all samples. describe(place, sample) writes one that exists.
+/// Finds the places of all samples, with weights where these are wanted: without, samples share the
+/// search. describe(place, sample) writes one that exists.
 template <class Describe>
 void findPlaces(const InputPlaces& input, const winding::VectorsView& samples, Call& call,
   const PlaceArrays& to, const Describe& describe)
@@ -48,11 +49,27 @@ void findPlaces(const InputPlaces& input, const winding::VectorsView& samples, C
   // Parts bound the memory of places, which is of no use to the caller.
   constexpr std::size_t atOnce = std::size_t{1} << 20;
   std::vector<InputPlace> places(std::min(samples.size(), atOnce));
+  std::vector<Eigen::Vector3d> positions;
   for (std::size_t first = 0; first < samples.size(); first += atOnce)
   {
     const std::size_t count = std::min(atOnce, samples.size() - first);
-    input.find(
-      count, [&](std::size_t n) { return samples[first + n]; }, places.data(), call.executor);
+    const auto positionOf = [&](std::size_t n)
+    {
+      return samples[first + n];
+    };
+    if (to.weights)
+    {
+      input.find(count, positionOf, places.data(), call.executor);
+    }
+    else
+    {
+      positions.resize(count);
+      for (std::size_t n = 0; n < count; ++n)
+      {
+        positions[n] = positionOf(n);
+      }
+      input.findAt({positions.data()->data(), count}, places.data(), call.executor);
+    }
     for (std::size_t n = 0; n < count; ++n)
     {
       if (places[n].exists())

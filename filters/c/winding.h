@@ -838,7 +838,7 @@ extern "C"
    * @param corners receives three ids of points for each sample, the corners of a triangle of the
    * polygon, or the point three times; -1 for none. May be null
    * @param weights receives their weights at the nearest place, 0 or more, with sum 1; NaN for
-   * none. May be null
+   * none. May be null, which takes much less time for samples far from the faces
    * @param run null for the defaults
    * @param refusal receives why the call was refused, unless it is null
    */

@@ -124,6 +124,16 @@ class Attributes:
                     array.GetName()):
                 surface.GetFieldData().AddArray(array)
 
+    def numbers_at(self, samples, show=None):
+        """'NearestCell' and, of composite data, 'NearestBlock' of samples: arrays by their names."""
+        source = self._source
+        found = find_places(
+            source.points, source.polygons() if source.is_surface else None,
+            np.ascontiguousarray(samples, float), self._options, with_weights=False,
+            threads=self._threads, show=show)
+        cells, blocks = self._ids(found.nearest, found.nearest >= 0)
+        return {"NearestCell": cells, **({"NearestBlock": blocks} if self._is_composite else {})}
+
     def _add(self, surface, of_points, samples, show):
         source = self._source
         polygons = source.polygons() if source.is_surface else None

@@ -84,14 +84,16 @@ class Places(NamedTuple):
     weights: FloatArray
 
 
-def find_places(points, polygons, samples, options, *, threads=0, show=None):
+def find_places(points, polygons, samples, options, *, with_weights=True, threads=0, show=None):
     """The places of samples among faces as the library takes them, or among points for None."""
     count = len(samples)
-    found = Places(np.empty(count, np.int64), np.empty((count, 3), np.int64), np.empty((count, 3)))
+    rows = count if with_weights else 0
+    found = Places(np.empty(count, np.int64), np.empty((rows, 3), np.int64), np.empty((rows, 3)))
     _library.call(
         "winding_nearest", _library.array_of(points),
         None if polygons is None else ctypes.byref(polygons), ctypes.byref(options),
-        _library.array_of(samples), *(ctypes.c_void_p(array.ctypes.data) for array in found),
+        _library.array_of(samples), *(
+            ctypes.c_void_p(array.ctypes.data if len(array) else None) for array in found),
         _library.RUN, threads=threads, show=show)
     return found
 
