@@ -75,6 +75,7 @@ SETTABLE = {
         "Coverage": (2, "2"),
         "CoverageSamples": (2, "2"),
         "DistanceBand": (2.5, "2.5"),
+        "GenerateNearestCells": (1, "1"),
     },
     "WindingNumberLabels": {
         **COMMON,
@@ -135,12 +136,16 @@ SETTABLE = {
         "ExtractInside": (1, "1"),
         "InsideArrayName": ("SelectedPoints", "SelectedPoints"),
         "GenerateFraction": (1, "1"),
+        "GenerateNearestCells": (1, "1"),
     },
     "WindingNumberClip": {**COMMON, "InsideOut": (1, "1")},
     "WindingNumberVoxels": {
         "WindingThreshold": (1.5, "1.5"),
         "InsideRule": (2, "2"),
         "ByLabel": (0, "0"),
+        "TransferAttributes": (1, "1"),
+        "GenerateNearestCells": (1, "1"),
+        "Mirror": ("y=0", "y=0"),
     },
     "PointAreas": {
         "PointAreaMethod": (2, "2"),

@@ -126,13 +126,15 @@ def turned_image(side):
 def of_source(name, mesh, is_cloud):
     grid = {"Input": mesh, "Resolution": 24}
     field = note(f"{name} field", simple.WindingNumberField(
-        **grid, GenerateInside=1, GenerateSignedDistance=1, VerifySamples=50))
+        **grid, GenerateInside=1, GenerateSignedDistance=1, GenerateNearestCells=1,
+        VerifySamples=50))
     note(f"{name} field in cells", simple.WindingNumberField(
         **grid, OutputAssociation="Cells", Coverage="Half Inside", OutputScalarType="Double",
         Tolerance=1e-5, Padding=0.1))
     note(f"{name} touched", simple.WindingNumberField(
         **grid, Coverage="Any Overlap", GenerateWindingNumber=0, InsideRule="Absolute"))
-    note(f"{name} voxels", simple.WindingNumberVoxels(Input=field))
+    note(f"{name} voxels", simple.WindingNumberVoxels(
+        Input=field, Source=mesh, TransferAttributes=1, GenerateNearestCells=1))
     note(f"{name} surface", simple.WindingNumberSurface(
         **grid, FidelitySamples=100, GenerateDistanceToInput=1, TransferAttributes=1,
         GenerateNearestCells=1))
@@ -141,7 +143,8 @@ def of_source(name, mesh, is_cloud):
     queries = simple.Sphere(Radius=0.7, ThetaResolution=20, PhiResolution=20)
     image = simple.Wavelet(WholeExtent=[-6, 6, -5, 5, -4, 4])
     note(f"{name} probe", simple.WindingNumberProbe(
-        Input=queries, Source=mesh, GenerateInside=1, GenerateSignedDistance=1))
+        Input=queries, Source=mesh, GenerateInside=1, GenerateSignedDistance=1,
+        GenerateNearestCells=1))
     note(f"{name} fractions", simple.WindingNumberProbe(
         Input=image, Source=mesh, GenerateFraction=1, InsideOut=1))
     note(f"{name} probe of an image", simple.WindingNumberProbe(

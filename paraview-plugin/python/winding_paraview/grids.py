@@ -10,7 +10,14 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 
 from vtkwinding import _grids, _library
 from vtkwinding._errors import WindingError
-from vtkwinding._parts import MOST_SKEW_TO_LIE_ON, directions_of, grid_of_image, has_right_angles
+from vtkwinding._parts import (
+    MOST_SKEW_TO_LIE_ON,
+    centres_of,
+    directions_of,
+    grid_of_image,
+    has_right_angles,
+    points_of,
+)
 
 from .algorithm import DONE, RUN, declared, new_array
 from .ranks import Ranks
@@ -404,6 +411,8 @@ class ResultArrays:
                   ("winding", name, kind, has_values)]
         names = [array for _, array, _, is_wanted in wanted if is_wanted]
         names += others
+        if get("GenerateNearestCells"):
+            names += ["NearestCell", "NearestBlock"]
         for array in names:
             if names.count(array) > 1:
                 raise WindingError(f"two arrays of the result are named '{array}': rename one "
@@ -451,6 +460,7 @@ class WindingNumberField(ImageAlgorithm):
         results = ResultArrays(
             self, count, has_inside=bool(self.value("GenerateInside")) or coverage != CENTER,
             has_coverage=coverage == FRACTION)
+        self.refuse_nearest_of_other_ranks(ranks, bool(self.value("GenerateNearestCells")))
         self.prepare(data, ranks)
         self.expect(count, "distance" in results.views, results.bytes)
         band = self.value("DistanceBand")
@@ -467,4 +477,8 @@ class WindingNumberField(ImageAlgorithm):
                 self.verification = self.verify(
                     self.field, grid, extent, results.views["winding"])
         results.add_to(attributes)
+        if count:
+            at_cells = attributes.IsA("vtkCellData")
+            self.add_nearest_cells(
+                data, centres_of(image) if at_cells else points_of(image), attributes)
         self.describe(image)

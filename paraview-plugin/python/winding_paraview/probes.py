@@ -89,6 +89,10 @@ class ProbeAlgorithm(SourceAlgorithm):
             ranks = Ranks()
             source = vtkDataObject.GetData(inputs[1])
             self.source_kind = kind_of(source)
+            if "GenerateNearestCells" in self.values:
+                self.refuse_nearest_of_other_ranks(
+                    ranks, bool(self.value("GenerateNearestCells")))
+            self.source = source
             self.lay_grid(vtkDataObject.GetData(inputs[0]))
             self.prepare(source, ranks)
             self.write(vtkDataObject.GetData(inputs[0]), output)
@@ -242,6 +246,8 @@ class WindingNumberProbe(ProbeAlgorithm):
                     attributes.SetActiveScalars(array.GetName())
             if adds_fractions:
                 answer.GetCellData().AddArray(copied("Fraction", next(fractions)))
+            self.add_nearest_cells(
+                self.source, centres_of(leaf) if at_cells else points_of(leaf), attributes)
             if extracts:
                 answer = inside_part(answer, inside[start:start + count] != 0, at_cells=at_cells)
             self.describe(answer)

@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 from vtkmodules.vtkCommonExecutionModel import vtkExtentTranslator
 
 from vtkwinding import _datasets, _library, _options, fields
+from vtkwinding._attributes import Attributes
 from vtkwinding._errors import WindingError
 from vtkwinding._library import polygons_of
 from vtkwinding._parts import level_of
@@ -23,6 +24,7 @@ from .algorithm import (
     Algorithm,
     add_number,
     add_text,
+    copied,
     pointer,
     words_of_memory,
 )
@@ -207,6 +209,29 @@ class SourceAlgorithm(Algorithm):
     is_scattered = False
     frame = None  # of an image whose coordinates the field has, as _parts of vtkwinding has it
     works_on_first_rank = False
+
+    def refuse_nearest_of_other_ranks(self, ranks, is_asked_for):
+        """Refuses cells of other ranks, which have no numbers here."""
+        if is_asked_for and not (
+                ranks.are_alone or self.value("SourceDistribution") == REPLICATED):
+            raise WindingError("cells of other ranks have no numbers here: use Source Distribution: "
+                               "Replicated, or run one rank")
+
+    def nearest(self, data, *, transfer, numbers):
+        """What results take over from a source."""
+        options = {"mirror": _options.words("mirror", self.value("Mirror")),
+                   "weld_tolerance": self.value("WeldTolerance")}
+        return Attributes(
+            data, options, threads=self.value("NumberOfThreads"), note=self.warn,
+            as_points=bool(self.value("SourceAsPoints")),
+            surface_cells=bool(self.value("UseSurfaceCells")), transfer=transfer, numbers=numbers)
+
+    def add_nearest_cells(self, data, places, attributes):
+        """Adds the ids of the cells that are nearest to places, if they are asked for."""
+        if self.value("GenerateNearestCells"):
+            numbers = self.nearest(data, transfer=False, numbers=True).numbers_at(places)
+            for name, values in numbers.items():
+                attributes.AddArray(copied(name, values))
 
     def __init__(self, **ports):
         super().__init__(**ports)

@@ -15,7 +15,7 @@ from vtkwinding._errors import WindingError
 from .algorithm import RUN, Algorithm, copied, declared, new_array, refuse_beyond_memory
 from .grids import GridAlgorithm, sample_count, whole_extent
 from .ranks import Ranks
-from .sources import REPLICATED, kind_of
+from .sources import kind_of
 
 _SHARP = 1
 _FIDELITY = (("LargestDistanceFromInput", "largest_from_source"),
@@ -77,14 +77,11 @@ class WindingNumberSurface(GridAlgorithm):
             self.lay_out_grid(data, ranks)
             wishes = {"transfer": bool(self.value("TransferAttributes")),
                       "numbers": bool(self.value("GenerateNearestCells"))}
-            if any(wishes.values()) and not (
-                    ranks.are_alone or self.value("SourceDistribution") == REPLICATED):
-                raise WindingError("cells of other ranks have no numbers here: use Source "
-                                   "Distribution: Replicated, or run one rank")
+            self.refuse_nearest_of_other_ranks(ranks, any(wishes.values()))
             if self.prepare(data, ranks):
                 self._make(output)
                 if any(wishes.values()):
-                    self._add_nearest(data, wishes, output)
+                    self.nearest(data, **wishes).add_to(output)
         return 1
 
     def _make(self, output):
@@ -140,16 +137,6 @@ class WindingNumberSurface(GridAlgorithm):
         array = copied("DistanceToInput", np.abs(distances).astype(points.dtype))
         output.GetPointData().SetScalars(array)
 
-    def _add_nearest(self, data, wishes, output):
-        """What Transfer Attributes and Generate Nearest Cells ask for."""
-        options = {"mirror": _options.words("mirror", self.value("Mirror")),
-                   "weld_tolerance": self.value("WeldTolerance")}
-        attributes = Attributes(
-            data, options, threads=self.value("NumberOfThreads"), note=self.warn,
-            as_points=bool(self.value("SourceAsPoints")),
-            surface_cells=bool(self.value("UseSurfaceCells")), **wishes)
-        attributes.add_to(output)
-
     def _compare(self, mesh, output):
         found = _library.Fidelity()
         self.call("winding_compare", self.field.pointer, mesh.pointer,
@@ -193,22 +180,30 @@ class WindingNumberVoxels(Algorithm):
     """The faces between voxels inside and outside, or between labels."""
 
     def __init__(self):
-        super().__init__(nInputPorts=1, nOutputPorts=1, outputType="vtkPolyData")
+        super().__init__(nInputPorts=2, nOutputPorts=1, outputType="vtkPolyData")
         # By points, then by cells; what is active.
         self.SetInputArrayToProcess(
             0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS_THEN_CELLS, 0)
 
     def FillInputPortInformation(self, port, info):
-        info.Set(self.INPUT_REQUIRED_DATA_TYPE(), "vtkImageData")
+        if port == 0:
+            info.Set(self.INPUT_REQUIRED_DATA_TYPE(), "vtkImageData")
+            return 1
+        info.Set(self.INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet")
+        info.Append(self.INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet")
+        info.Set(self.INPUT_IS_OPTIONAL(), 1)
         return 1
 
     def RequestUpdateExtent(self, request, inputs, outputs):
-        info = inputs[0].GetInformationObject(0)
-        info.Set(Pipeline.UPDATE_PIECE_NUMBER(), 0)
-        info.Set(Pipeline.UPDATE_NUMBER_OF_PIECES(), 1)
-        info.Set(Pipeline.UPDATE_NUMBER_OF_GHOST_LEVELS(), 0)
-        if info.Has(Pipeline.WHOLE_EXTENT()):
-            info.Set(Pipeline.UPDATE_EXTENT(), info.Get(Pipeline.WHOLE_EXTENT()), 6)
+        for port in (0, 1):
+            info = inputs[port].GetInformationObject(0)
+            if info is None:
+                continue
+            info.Set(Pipeline.UPDATE_PIECE_NUMBER(), 0)
+            info.Set(Pipeline.UPDATE_NUMBER_OF_PIECES(), 1)
+            info.Set(Pipeline.UPDATE_NUMBER_OF_GHOST_LEVELS(), 0)
+            if info.Has(Pipeline.WHOLE_EXTENT()):
+                info.Set(Pipeline.UPDATE_EXTENT(), info.Get(Pipeline.WHOLE_EXTENT()), 6)
         return 1
 
     def RequestData(self, request, inputs, outputs):
@@ -221,6 +216,12 @@ class WindingNumberVoxels(Algorithm):
             image = vtkImageData.GetData(inputs[0])
             if image.GetNumberOfPoints():
                 self._make(image, output)
+            wishes = {"transfer": bool(self.value("TransferAttributes")),
+                      "numbers": bool(self.value("GenerateNearestCells"))}
+            source = vtkDataObject.GetData(inputs[1])
+            if source is not None and output.GetNumberOfCells() and any(wishes.values()):
+                mirror = _options.words("mirror", self.value("Mirror"))
+                Attributes(source, {"mirror": mirror}, note=self.warn, **wishes).add_to(output)
         return 1
 
     def _find_values(self, image):
