@@ -176,3 +176,37 @@ TEST_F(Attributes, OfBooleansNameTheInputOfEachFace)
   EXPECT_EQ(blocks->GetRange()[0], 1);
   EXPECT_EQ(blocks->GetRange()[1], 2);
 }
+
+TEST_F(Attributes, OfFieldsVoxelsAndProbesAreIdsOfCells)
+{
+  const std::string scan = colored();
+  const auto run = [&](const std::vector<std::string>& arguments)
+  {
+    const Outcome outcome = runProgram(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    return outcome.err;
+  };
+  const std::string blocks = folder.path("blocks.vtp");
+  run({"voxels", scan, "-o", blocks, "--resolution", "20", "--transfer-attributes",
+    "--nearest-cells"});
+  EXPECT_TRUE(read(blocks)->GetPointData()->HasArray("RGB"));
+  EXPECT_TRUE(read(blocks)->GetCellData()->HasArray("NearestCell"));
+  const std::string queries = folder.write("queries.csv", "x,y,z\n0,0,2\n0,0,-2\n");
+  const std::string answers = folder.path("answers.csv");
+  run({"probe", scan, scan, queries, "-o", answers, "--nearest-cells"});
+  const std::string table = contentsOf(answers);
+  EXPECT_EQ(
+    table.substr(0, table.find('\n')), "x,y,z,WindingNumber,Inside,NearestCell,NearestBlock");
+  run({"field", scan, "-o", folder.path("field.vti"), "--resolution", "10", "--nearest-cells"});
+  run({"field", scan, "-o", folder.path("field.pvti"), "--resolution", "10", "--nearest-cells",
+    "--pieces", "2"});
+  EXPECT_NE(contentsOf(folder.path("field.pvti")).find("type=\"Int64\" Name=\"NearestCell\""),
+    std::string::npos);
+  for (const std::string suffix : {".htg", ".nrrd"})
+  {
+    const Outcome refused =
+      runProgram({"field", scan, "-o", folder.path("field" + suffix), "--nearest-cells"});
+    EXPECT_EQ(refused.status, 1) << refused;
+    EXPECT_TRUE(refused.saysInOneLine({"--nearest-cells", suffix})) << refused;
+  }
+}
