@@ -74,16 +74,6 @@ void vtkWindingNumberProbe::CheckProperties()
   }
 }
 
-std::size_t vtkWindingNumberProbe::GetAdditionalBytes(
-  const winding::Field& field, vtkIdType samples)
-{
-  const winding::FieldInfo& info = field.info();
-  return this->Superclass::GetAdditionalBytes(field, samples) +
-         (this->GenerateNearestCells
-             ? winding::NearestAttributes::bytesFor(info.isSurface, info.inputPrimitives)
-             : 0);
-}
-
 void vtkWindingNumberProbe::FinishSamples(
   const winding::Field&, const winding::ProbeQueries& queries, const unsigned char*)
 {
@@ -125,8 +115,14 @@ winding::ResultOptions vtkWindingNumberProbe::GetResultOptions() const
 
 std::size_t vtkWindingNumberProbe::GetAdditionalBytes(const winding::Field& field, vtkIdType)
 {
+  const winding::FieldInfo& info = field.info();
   const auto cells = static_cast<std::size_t>(this->CellsToFill);
-  return cells == 0 ? 0 : winding::bytesOfCellFractions(field, cells) + cells * sizeof(float);
+  const std::size_t ofFractions =
+    cells == 0 ? 0 : winding::bytesOfCellFractions(field, cells) + cells * sizeof(float);
+  const std::size_t ofNearest = this->GenerateNearestCells ? winding::NearestAttributes::bytesFor(
+                                                               info.isSurface, info.inputPrimitives)
+                                                           : 0;
+  return ofFractions + ofNearest;
 }
 
 int vtkWindingNumberProbe::RequestData(

@@ -167,7 +167,6 @@ protected:
   void operator=(const vtkWindingNumberProbe&) = delete;
 
   void CheckProperties() override;
-  std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
   void FinishSamples(const winding::Field& field, const winding::ProbeQueries& queries,
     const unsigned char* inside) override;
 
