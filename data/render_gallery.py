@@ -21,6 +21,7 @@ from completion_pictures import draw_completion, draw_layers, draw_like
 from label_pictures import draw_labels
 from normal_pictures import draw_normals
 from sharp_pictures import draw_sharp
+from solid_pictures import draw_solids
 from task_pictures import draw_clip, draw_coverage, draw_distance, draw_soup
 from winding_program import Winding
 
@@ -145,6 +146,7 @@ def main():
             (draw_coverage, None),
             (draw_labels, None),
             (draw_sharp, None),
+            (draw_solids, arguments.open),
             (draw_normals, None),
             (draw_distance, arguments.open),
             (draw_clip, arguments.open),

@@ -140,6 +140,9 @@ def of_source(name, mesh, is_cloud):
         GenerateNearestCells=1))
     note(f"{name} sharp surface", simple.WindingNumberSurface(
         **grid, Features="Sharp", CloseBorder=1, OrientFaces=1, WindingThreshold=0.4))
+    note(f"{name} shell", simple.WindingNumberSurface(
+        **grid, FillCavities=1, Offset=-0.05, Shell=0.2, ShellSide="Centered",
+        FidelitySamples=100))
     queries = simple.Sphere(Radius=0.7, ThetaResolution=20, PhiResolution=20)
     image = simple.Wavelet(WholeExtent=[-6, 6, -5, 5, -4, 4])
     note(f"{name} probe", simple.WindingNumberProbe(
