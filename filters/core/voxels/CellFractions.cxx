@@ -43,7 +43,7 @@ constexpr double nearLimit = 0.35;
 enum class State : unsigned char
 {
   clear,   ///< nothing of the source is near
-  touched, ///< a triangle's box or a point meets the cell's box
+  touched, ///< a triangle's box meets the cell's box, or a point is near it
   onRim,   ///< so does an edge of the boundary, around which w takes all values
   flat,
   nowhere
@@ -211,6 +211,12 @@ double squaredDistance(const ConeTriangle& triangle)
   return isAbove ? std::min(nearest, std::pow(normal.normalized().dot(a), 2)) : nearest;
 }
 
+/// A part of a volume, without what rounding adds, and not −0.
+float shareOf(double inside, double volume)
+{
+  return static_cast<float>(std::clamp(inside / volume, 0.0, 1.0) + 0.0);
+}
+
 /// The part of a tetrahedron where a linear function is positive, from its values at the corners.
 double positivePart(std::array<double, 4> values)
 {
@@ -308,7 +314,7 @@ public:
     executor_.run((touched.size() + cellsPerBlock - 1) / cellsPerBlock,
       [&](std::size_t block)
       {
-        Work work(rule_, threshold_);
+        Work work(*this);
         const std::size_t first = block * cellsPerBlock;
         for (std::size_t i = first; i < std::min(touched.size(), first + cellsPerBlock); ++i)
         {
@@ -333,8 +339,8 @@ private:
   /// Memory that a thread takes for all of its cells.
   struct Work
   {
-    Work(InsideRule rule, double threshold)
-      : share(rule, threshold)
+    explicit Work(const Evaluation& of)
+      : share(of.rule_, of.threshold_, of.field_.info().method == Method::parity)
     {
     }
     CellShape shape;
@@ -404,13 +410,17 @@ private:
   {
     constexpr double farEnough = 1e-2, golden = 0.6180339887498949;
     constexpr std::size_t tries = 24;
-    Eigen::Vector3d best = cell.middle();
+    // A cell with a volume has four corners or more. Weights without a pattern keep the apex out of
+    // planes of triangles, which it would not see, where meshes are regular.
+    const Eigen::Vector3d start = cell.middle() + 0.1137 * (cell.corner(0) - cell.middle()) +
+                                  0.0519 * (cell.corner(1) - cell.middle()) +
+                                  0.0213 * (cell.corner(2) - cell.middle());
+    Eigen::Vector3d best = start;
     double bestSquared = -1;
     for (std::size_t i = 0; i < tries && bestSquared < farEnough * farEnough; ++i)
     {
       const double step = i == 0 ? 0 : 0.1 + 0.6 * std::fmod(golden * static_cast<double>(i), 1.0);
-      const Eigen::Vector3d at =
-        cell.middle() + step * (cell.corner(i % cell.corners()) - cell.middle());
+      const Eigen::Vector3d at = start + step * (cell.corner(i % cell.corners()) - start);
       double squared = std::numeric_limits<double>::infinity();
       for (const ConeTriangle& triangle : triangles)
       {
@@ -442,7 +452,7 @@ private:
     executor_.run((cells_.size() + cellsPerBlock - 1) / cellsPerBlock,
       [&](std::size_t block)
       {
-        Work work(rule_, threshold_);
+        Work work(*this);
         const std::size_t first = block * cellsPerBlock;
         for (std::size_t i = first; i < std::min(cells_.size(), first + cellsPerBlock); ++i)
         {
@@ -454,7 +464,7 @@ private:
             states_[i] = state;
             continue;
           }
-          if (state == State::clear && tree_ && tree_->reaches(work.cell.box()))
+          if (state == State::clear && tree_ && tree_->reaches(this->reachOf(work.cell)))
           {
             state = rimTree_ && rimTree_->reaches(work.cell.box()) ? State::onRim : State::touched;
             if (surface_)
@@ -467,6 +477,15 @@ private:
           states_[i] = state;
         }
       });
+  }
+
+  /// The box in which something of the source makes a cell touched. w has no bound near points,
+  /// and changes by any amount across cells next to them.
+  Bounds reachOf(const LocalCell& cell) const
+  {
+    const Eigen::Vector3d margin =
+      Eigen::Vector3d::Constant(surface_ ? 0 : cell.box().sizes().norm());
+    return {cell.box().min() - margin, cell.box().max() + margin};
   }
 
   void evaluate(const std::vector<Eigen::Vector3d>& samples, std::vector<double>& windings)
@@ -524,11 +543,11 @@ private:
         inside += ofCone * work.share.of(corners, work.moved, windings_[number]);
       }
     }
-    return static_cast<float>(std::clamp(inside / volume, 0.0, 1.0));
+    return shareOf(inside, volume);
   }
 
   /// Returns the share of a part that triangles meet, w at its apex being known.
-  double shareOf(const Part& part, double winding, const LocalCell& cell, Work& work) const
+  double shareOfPart(const Part& part, double winding, const LocalCell& cell, Work& work) const
   {
     this->setTriangles(cell, boxOf(part, cell), work.triangles);
     const Eigen::Vector3d apex = part.apex();
@@ -566,7 +585,7 @@ private:
   {
     std::vector<LocalCell> locals(count);
     std::vector<Part> parts, next;
-    Work work(rule_, threshold_);
+    Work work(*this);
     for (std::size_t i = 0; i < count; ++i)
     {
       this->load(numbers[i], work);
@@ -574,7 +593,7 @@ private:
       for (std::size_t j = 0; j < work.cell.cones(); ++j)
       {
         const Eigen::Matrix3d corners = work.cell.cone(j, work.cell.middle());
-        Part part;
+        Part part = {};
         part.corners[0] = work.cell.middle();
         for (int k = 0; k < 3; ++k)
         {
@@ -606,8 +625,7 @@ private:
     }
     for (std::size_t i = 0; i < count; ++i)
     {
-      fractions[numbers[i]] =
-        static_cast<float>(std::clamp(inside[i] / locals[i].volume(), 0.0, 1.0));
+      fractions[numbers[i]] = shareOf(inside[i], locals[i].volume());
     }
   }
 
@@ -649,7 +667,7 @@ private:
       parts.size(), partsPerBlock,
       [&](std::size_t, std::size_t begin, std::size_t end)
       {
-        Work work(rule_, threshold_);
+        Work work(*this);
         for (std::size_t i = begin; i < end; ++i)
         {
           const double* const ofPart = windings.data() + firsts[i];
@@ -660,7 +678,7 @@ private:
           shares[i] = isNear && !isLast ? std::numeric_limits<double>::quiet_NaN()
                       : state == State::clear
                         ? this->linearShare(ofPart)
-                        : this->shareOf(parts[i], ofPart[0], locals[parts[i].cell], work);
+                        : this->shareOfPart(parts[i], ofPart[0], locals[parts[i].cell], work);
         }
       },
       executor_);

@@ -34,10 +34,10 @@ struct CellsWithoutFraction
  * meets takes one sample.
  *
  * Elsewhere, near holes and for clouds, cells are divided where w is near the threshold, a triangle
- * takes it there, or an edge of the boundary or a point lies: into their cones, and these twice
- * into eight. w is interpolated linearly over a part that no triangle meets, and taken to change at
- * triangles only in any other. Measured, in cells of a sixth of a sphere: 0.006 at most and 0.0014
- * on average for a sphere with a hole, 0.02 and 0.006 for a cloud of 400 points.
+ * takes it there, an edge of the boundary lies, or a point is near: into their cones, and these
+ * twice into eight. w is interpolated linearly over a part that no triangle meets, and taken to
+ * change at triangles only in any other. Measured, in cells of a sixth of a sphere: 0.006 at most
+ * and 0.0014 on average for a sphere with a hole, 0.02 and 0.006 for a cloud of 400 points.
  *
  * A cell without volume (less than 1e-13 of the cube of its box's diagonal) counts as its middle: 0
  * or 1. A cell with points that are not finite gets NaN.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace winding
@@ -22,8 +23,9 @@ constexpr double leastOverlap = 1e-9;
 /// Corners of a polygon that are nearer than this are one: a side of rounding has no direction.
 constexpr double leastSide = 1e-9;
 
-/// Inverse depths that differ by less than this part of them are equal: triangles on each other.
-constexpr double leastDifference = 1e-10;
+/// Inverse depths that differ by less than this part of them, and their roundings, are equal:
+/// triangles on each other.
+constexpr double leastDifference = 1e-12;
 
 double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
 {
@@ -109,7 +111,7 @@ double ConeShare::of(
     this->add(triangle, weights, isInverted);
   }
   this->findPairs();
-  double share = isInside(winding, rule_, threshold_) ? 1 : 0;
+  double share = this->isInsideAt(winding) ? 1 : 0;
   for (std::size_t i = 0; i < polygons_.size(); ++i)
   {
     share += this->change(i, winding);
@@ -206,6 +208,10 @@ void ConeShare::add(const ConeTriangle& triangle, const Eigen::Matrix3d& weights
   // normal · (q₁, q₂, 1 − q₁ − q₂) / height is the inverse depth.
   polygon.inverseDepth =
     Eigen::Vector3d(normal[0] - normal[2], normal[1] - normal[2], normal[2]) / height;
+  // Seen at a small angle, or much larger than the cone, a triangle has a depth with few digits.
+  const double reach = std::max({whole[0].norm(), whole[1].norm(), whole[2].norm()}) *
+                       (whole[1] - whole[0]).norm() * (whole[2] - whole[0]).norm();
+  polygon.rounding = 16 * std::numeric_limits<double>::epsilon() * reach / std::abs(height);
   polygon.ids = triangle.ids;
   polygon.low = polygon.high = polygon.corners[0].head<2>().array();
   for (std::size_t i = 1; i < count; ++i)
@@ -274,20 +280,22 @@ void ConeShare::cutPair(std::size_t first, std::size_t second)
   others_[first].push_back(static_cast<std::uint32_t>(second));
   others_[second].push_back(static_cast<std::uint32_t>(first));
   const Eigen::Vector3d difference = a.inverseDepth - b.inverseDepth;
-  bool isFirstBefore = false, isSecondBefore = false;
+  bool isFirstBefore = false, isSecondBefore = false, isMet = false;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const double limit = leastDifference * common[i][2];
+    const double limit = (leastDifference + a.rounding + b.rounding) * common[i][2];
     const double value = difference.dot(liftedPoint(common[i]));
     isFirstBefore = isFirstBefore || value > limit;
     isSecondBefore = isSecondBefore || value < -limit;
+    isMet = isMet || std::abs(value) <= limit;
   }
-  if (isFirstBefore && isSecondBefore)
+  // Triangles that only meet count, too: one on either side of a third, they pass through it.
+  if ((isFirstBefore && isSecondBefore) || (isMet && (isFirstBefore || isSecondBefore)))
   {
     lines_[first].push_back(difference);
     lines_[second].push_back(difference);
   }
-  else if (!isFirstBefore && !isSecondBefore)
+  else if (isMet)
   {
     const auto cutAtSides = [this](std::size_t of, const Polygon& sides)
     {
@@ -353,11 +361,15 @@ double ConeShare::change(std::size_t number, double winding)
   return sum;
 }
 
+bool ConeShare::isInsideAt(double winding) const
+{
+  return isInside(isParity_ ? std::abs(std::fmod(winding, 2.0)) : winding, rule_, threshold_);
+}
+
 /// Returns the part of the cone beyond a piece, if what is inside changes there.
 double ConeShare::shadowOf(const Corner* corners, std::size_t count, double before, int step) const
 {
-  const int change = (isInside(before + step, rule_, threshold_) ? 1 : 0) -
-                     (isInside(before, rule_, threshold_) ? 1 : 0);
+  const int change = (this->isInsideAt(before + step) ? 1 : 0) - (this->isInsideAt(before) ? 1 : 0);
   double volume = 0;
   for (std::size_t i = 2; change != 0 && i < count; ++i)
   {
@@ -390,8 +402,9 @@ double ConeShare::before(std::size_t number, const Eigen::Vector3d& at, double w
     {
       const double nearness = polygon.inverseDepth.dot(liftedPoint(at));
       const double difference = nearness - at[2];
-      const bool isBefore =
-        std::abs(difference) <= leastDifference * at[2] ? other < number : difference > 0;
+      const double limit =
+        (leastDifference + polygon.rounding + polygons_[number].rounding) * at[2];
+      const bool isBefore = std::abs(difference) <= limit ? other < number : difference > 0;
       winding += isBefore ? polygon.step : 0;
     }
   }

@@ -30,8 +30,8 @@ struct ConeTriangle
  * linear over a triangle. Where no ray meets two triangles, the share is 1 or 0 by w(apex), and
  * each triangle adds its shadow, times the change of what is inside there.
  *
- * Triangles that overlap as seen from the apex are cut along the lines where they pass through each
- * other, or where one lies on another, so that w before each piece is one number, by the
+ * Triangles that overlap as seen from the apex are cut along the lines where they pass through or
+ * meet each other, or where one lies on another, so that w before each piece is one number, by the
  * crossings before a point of the piece. For a surface that is closed within the cone this holds
  * for any rule and any number of solids through each other. Elsewhere w before a piece is taken to
  * be what it is before that point.
@@ -42,9 +42,11 @@ struct ConeTriangle
 class ConeShare
 {
 public:
-  ConeShare(InsideRule rule, double threshold)
+  /// `isParity` says that w is the parity of crossings, as RayParity.h has it, not their sum.
+  ConeShare(InsideRule rule, double threshold, bool isParity = false)
     : rule_(rule)
     , threshold_(threshold)
+    , isParity_(isParity)
   {
   }
 
@@ -67,6 +69,7 @@ private:
     Eigen::Array2d low, high;             ///< its box
     double doubleArea;                    ///< in units in which the face has 1
     Eigen::Vector3d inverseDepth;         ///< of its plane, as a linear function of (q₁, q₂, 1)
+    double rounding;                      ///< of that, as a part of it
     std::array<Eigen::Vector3d, 3> whole; ///< corners of the triangle, as weights
     std::array<std::int32_t, 3> ids;
     bool isTurned; ///< whether the corners of `whole` are clockwise
@@ -78,11 +81,13 @@ private:
   void findPairs();
   void cutPair(std::size_t a, std::size_t b);
   double change(std::size_t polygon, double winding);
+  bool isInsideAt(double winding) const;
   double shadowOf(const Corner* corners, std::size_t count, double before, int step) const;
   double before(std::size_t polygon, const Eigen::Vector3d& at, double winding) const;
 
   InsideRule rule_;
   double threshold_;
+  bool isParity_;
   std::vector<Polygon> polygons_;
   std::vector<std::uint32_t> order_;
   std::vector<std::vector<std::uint32_t>> others_;  ///< by polygon, those that overlap it

@@ -357,6 +357,48 @@ TEST(CellFractions, AddUpToTheVolumeInCellsOfAllTypes)
   }
 }
 
+TEST(CellFractions, AddUpWhereSheetsMeetAtCornersAndEdges)
+{
+  constexpr unsigned seed = 11;
+  Random random(seed);
+  const auto latticePoint = [&random]() -> Point
+  {
+    const double x = std::floor(random(0, 4)), y = std::floor(random(0, 4));
+    return {x, y, std::floor(random(0, 4))};
+  };
+  double worst = 0;
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    // Tetrahedra with corners on a lattice of 4³ points, which are turned either way or flat.
+    Mesh mesh;
+    for (int i = 0; i < 3; ++i)
+    {
+      Mesh one = tetrahedron();
+      for (Point& point : one.points)
+      {
+        point = latticePoint();
+      }
+      mesh = mesh.with(one);
+    }
+    const auto field = fieldOf(mesh);
+    const double low = trial % 3 == 0 ? 1 : random(0, 1);
+    const Point corner(low, low, low), size = random.point(1, 3);
+    CellList cells;
+    cells.add(hexahedron, cornersOf(corner, corner + size));
+    const CellList parts = tetrahedraOf(cells);
+    for (const InsideRule rule :
+      {InsideRule::signedThreshold, InsideRule::absoluteThreshold, InsideRule::odd})
+    {
+      const std::vector<float> whole = fractionsOf(*field, cells, rule);
+      const std::vector<float> fractions = fractionsOf(*field, parts, rule);
+      const double sum = std::accumulate(fractions.begin(), fractions.end(), 0.0) / 6;
+      worst = std::max(worst, std::abs(sum - static_cast<double>(whole[0])));
+      ASSERT_NEAR(sum, whole[0], 1e-6) << "trial " << trial << ", seed " << seed;
+    }
+  }
+  record("worst error", worst); // 3e-8
+}
+
 TEST(CellFractions, AddUpInHexahedraWithFacesThatAreNotPlanar)
 {
   const Mesh sphere = icosphere(3).mapped([](const Point& p) -> Point { return 0.7 * p; });
