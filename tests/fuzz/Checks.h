@@ -28,6 +28,9 @@ std::string checkCloudField(Choices& choices);
 /// The voxels that sources touch, and the shares of voxels that are inside: CoverageCheck.cxx.
 std::string checkCoverage(Choices& choices);
 
+/// The shares of cells of any shape that are inside: FractionCheck.cxx.
+std::string checkFractions(Choices& choices);
+
 /// Orientation of faces: OrientationCheck.cxx.
 std::string checkOrientation(Choices& choices);
 
@@ -72,10 +75,10 @@ std::string worstTime();
 inline std::vector<NamedCheck> allChecks()
 {
   return {{"surface_field", checkSurfaceField}, {"cloud_field", checkCloudField},
-    {"coverage", checkCoverage}, {"orientation", checkOrientation}, {"completion", checkCompletion},
-    {"level", checkLevel}, {"boolean", checkBoolean}, {"shape", checkShape},
-    {"nearest", checkNearest}, {"voxel_trees", checkVoxelTrees}, {"sharp", checkSharp},
-    {"lattice", checkLattice}, {"library", checkLibrary}};
+    {"coverage", checkCoverage}, {"fractions", checkFractions}, {"orientation", checkOrientation},
+    {"completion", checkCompletion}, {"level", checkLevel}, {"boolean", checkBoolean},
+    {"shape", checkShape}, {"nearest", checkNearest}, {"voxel_trees", checkVoxelTrees},
+    {"sharp", checkSharp}, {"lattice", checkLattice}, {"library", checkLibrary}};
 }
 
 } // namespace fuzz

@@ -379,6 +379,7 @@ template <class Filter> void probe(Choices& choices, vtkPointSet* data)
   if constexpr (std::is_same_v<Filter, vtkWindingNumberProbe>)
   {
     filter->SetExtractInside(choices.oneIn(3));
+    filter->SetGenerateFraction(choices.oneIn(2));
   }
   filter->Update();
   checkNumbers(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0)));

@@ -210,7 +210,8 @@ def command_for(chance, name, other):
         return ["labels", *solids, "-o", output, *grid, *method, *cloud, *extra], [output]
     if command == "probe":
         output = "out" + chance.choice((".csv", ".csv", ".vtp", ".vtu"))
-        extra = chance.choice(([], ["--extract"], ["--distance"], ["--inside-out"]))
+        extra = chance.choice(([], ["--extract"], ["--distance"], ["--inside-out"],
+                               ["--fraction"] if output.endswith((".vtp", ".vtu")) else []))
         pair = [name, other] if chance.random() < 0.5 and not is_image(name) else [other, name]
         return ["probe", *pair, "-o", output, *method, *cloud, *extra], [output]
     if command == "normals":
