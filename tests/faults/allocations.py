@@ -16,11 +16,12 @@ def jobs():
     common = ["--threads", 1, "--quiet"]
     return [winding.Job("out.vti", "field", "in.off", "-o", "out.vti", "--resolution", 4, *common),
             winding.Job("out.stl", "surface", "in.off", "-o", "out.stl", "--resolution", 4, *common),
-            # VTK's writer of .ply goes on with null pointers where an allocation fails.
             winding.Job("out.stl", "surface", "in.off", "-o", "out.stl", "--resolution", 4,
                         "--features", "sharp", "--fidelity", 20, *common),
             winding.Job("out.stl", "surface", "in.off", "-o", "out.stl", "--resolution", 4,
                         "--shell", 0.5, "--fill-cavities"),
+            winding.Job("out.ply", "surface", "in.off", "-o", "out.ply", "--resolution", 4,
+                        "--transfer-attributes", "--nearest-cells", *common),
             winding.Job("out.stl", "boolean", "in.off", "in.off", "-o", "out.stl", "--resolution", 4,
                         *common),
             winding.Job("out.vti", "labels", "in.off", "-o", "out.vti", "--resolution", 4,

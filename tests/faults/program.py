@@ -93,6 +93,8 @@ def jobs(size=24):
             "--fidelity", 100, *grid),
         Job("out.vtp", "surface", "in.off", "-o", "out.vtp", "--shell", "0.2", *grid),
         Job("out.vtp", "boolean", "in.off", "in.off", "-o", "out.vtp", *grid),
+        Job("out.ply", "surface", "in.off", "-o", "out.ply", *grid, "--transfer-attributes",
+            "--nearest-cells"),
         Job("out.vti", "labels", "in.off", "-o", "out.vti", "--coverage", "fraction", *grid),
         Job("out.vtp", "labels", "in.off", "-o", "out.vtp", *grid),
         Job("out.ply", "voxels", "in.off", "-o", "out.ply", *grid),
