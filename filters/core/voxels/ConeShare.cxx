@@ -277,8 +277,6 @@ void ConeShare::cutPair(std::size_t first, std::size_t second)
   {
     return;
   }
-  others_[first].push_back(static_cast<std::uint32_t>(second));
-  others_[second].push_back(static_cast<std::uint32_t>(first));
   const Eigen::Vector3d difference = a.inverseDepth - b.inverseDepth;
   bool isFirstBefore = false, isSecondBefore = false, isMet = false;
   for (std::size_t i = 0; i < count; ++i)
@@ -289,6 +287,9 @@ void ConeShare::cutPair(std::size_t first, std::size_t second)
     isSecondBefore = isSecondBefore || value < -limit;
     isMet = isMet || std::abs(value) <= limit;
   }
+  const bool liesOn = !isFirstBefore && !isSecondBefore;
+  others_[first].push_back({static_cast<std::uint32_t>(second), liesOn});
+  others_[second].push_back({static_cast<std::uint32_t>(first), liesOn});
   // Triangles that only meet count, too: one on either side of a third, they pass through it.
   if ((isFirstBefore && isSecondBefore) || (isMet && (isFirstBefore || isSecondBefore)))
   {
@@ -385,9 +386,9 @@ double ConeShare::shadowOf(const Corner* corners, std::size_t count, double befo
 double ConeShare::before(std::size_t number, const Eigen::Vector3d& at, double winding) const
 {
   const Eigen::Vector3d direction(at[0], at[1], 1 - at[0] - at[1]);
-  for (const std::uint32_t other : others_[number])
+  for (const Overlap& other : others_[number])
   {
-    const Polygon& polygon = polygons_[other];
+    const Polygon& polygon = polygons_[other.polygon];
     bool isMet = true;
     for (std::size_t i = 0; isMet && i < 3; ++i)
     {
@@ -400,11 +401,9 @@ double ConeShare::before(std::size_t number, const Eigen::Vector3d& at, double w
     }
     if (isMet)
     {
-      const double nearness = polygon.inverseDepth.dot(liftedPoint(at));
-      const double difference = nearness - at[2];
-      const double limit =
-        (leastDifference + polygon.rounding + polygons_[number].rounding) * at[2];
-      const bool isBefore = std::abs(difference) <= limit ? other < number : difference > 0;
+      const double difference =
+        (polygon.inverseDepth - polygons_[number].inverseDepth).dot(liftedPoint(at));
+      const bool isBefore = other.liesOn ? other.polygon < number : difference > 0;
       winding += isBefore ? polygon.step : 0;
     }
   }

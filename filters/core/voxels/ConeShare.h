@@ -77,6 +77,14 @@ private:
   };
   using Piece = std::vector<Corner>;
 
+  /// A polygon that overlaps another; `liesOn` says that both lie on each other, so that the one of
+  /// the lower number counts as the one before.
+  struct Overlap
+  {
+    std::uint32_t polygon;
+    bool liesOn;
+  };
+
   void add(const ConeTriangle& triangle, const Eigen::Matrix3d& weights, bool isInverted);
   void findPairs();
   void cutPair(std::size_t a, std::size_t b);
@@ -90,7 +98,7 @@ private:
   bool isParity_;
   std::vector<Polygon> polygons_;
   std::vector<std::uint32_t> order_;
-  std::vector<std::vector<std::uint32_t>> others_;  ///< by polygon, those that overlap it
+  std::vector<std::vector<Overlap>> others_;        ///< by polygon, those that overlap it
   std::vector<std::vector<Eigen::Vector3d>> lines_; ///< by polygon, lines to cut it along
   std::vector<Piece> pieces_, nextPieces_;
 };
