@@ -198,7 +198,8 @@ class AccessorTest(Warned):
         self.assertEqual(list(small.field_data["DistancesFrom"]), ["source"])
         self.assertAlmostEqual(made(shell=0.25).volume, 1 - 0.5**3, delta=1e-5)
         grown = made(offset=0.5)
-        np.testing.assert_allclose(grown.bounds, [-1, 1] * 3, atol=1e-6)
+        # Measured: 4e-4, where vertices of cells at round edges lie in front of them.
+        np.testing.assert_allclose(grown.bounds, [-1, 1] * 3, atol=1e-3)
         self.assertEqual(grown.n_open_edges, 0)
         hollow = cube + pv.Cube(x_length=0.5, y_length=0.5, z_length=0.5).triangulate().flip_faces()
         solid = made(hollow, fill_cavities=True)
