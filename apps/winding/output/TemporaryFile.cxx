@@ -135,6 +135,7 @@ TemporaryFile::~TemporaryFile()
 
 void TemporaryFile::become(const std::filesystem::path& target)
 {
+  interrupt::check(); // a run that was asked to end leaves the old file in place
   if (std::rename(name_, target.c_str()) != 0)
   {
     throwError();

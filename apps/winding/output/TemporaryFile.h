@@ -21,7 +21,7 @@ public:
   std::string name() const { return name_; }
 
   /// Gives the file the name of the target, and thereby replaces what had it. Throws
-  /// std::system_error where that is not possible.
+  /// std::system_error where that is not possible, and Failure if a signal has come.
   void become(const std::filesystem::path& target);
 
   /// Removes from a folder what runs that were killed have left behind.
