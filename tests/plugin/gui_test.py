@@ -56,7 +56,7 @@ DIFFERENT_SHARE, DIFFERENT_COLOR = 0.004, 16
 
 
 def filters():
-    """The filters in the order of the menu: name, label, and the second input, if any."""
+    """The filters in the order of the menu: name, label, and the second input, if one is needed."""
     plugin = ROOT / "paraview-plugin"
     proxies = {
         proxy.get("name"): proxy
@@ -64,10 +64,13 @@ def filters():
         for proxy in ElementTree.parse(file).iter("SourceProxy")
     }
     names = [entry.get("name") for entry in ElementTree.parse(plugin / "Menu.xml").iter("Proxy")]
+    def needs(name, second):
+        found = proxies[name].find(f"InputProperty[@name='{second}']")
+        return found is not None and found.find("Hints/Optional") is None
+
     return [
         (name, proxies[name].get("label"),
-         next((second for second in ("Source", "Others")
-               if proxies[name].find(f"InputProperty[@name='{second}']") is not None), None))
+         next((second for second in FIRST_INPUTS if needs(name, second)), None))
         for name in names
     ]
 

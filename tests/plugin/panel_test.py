@@ -167,7 +167,7 @@ class TestPanel(unittest.TestCase):
     def test_probe_enables_what_inside_means_where_that_counts(self):
         proxy = simple.WindingNumberProbe(Input=self.mesh, Source=self.mesh)
         meaning = {"WindingThreshold", "InsideRule", "InsideOut"}
-        always = {"GenerateInside", "ExtractInside"}
+        always = {"GenerateInside", "ExtractInside", "GenerateFraction"}
         for proxy.GenerateInside in (0, 1):
             for proxy.ExtractInside in (0, 1):
                 expected = set(always)

@@ -206,7 +206,7 @@ INPUTS = {
     "WindingNumberHyperTree": {"Input"},
     "WindingNumberProbe": {"Input", "Source"},
     "WindingNumberClip": {"Input", "Source"},
-    "WindingNumberVoxels": {"Input", "SelectInputScalars"},
+    "WindingNumberVoxels": {"Input", "Source", "SelectInputScalars"},
     "PointAreas": {"Input"},
 }
 
@@ -216,6 +216,7 @@ ENUMERATIONS = {
     "InsideRule": {"Signed": 0, "Absolute": 1, "Odd": 2},
     "PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2, "Array": 3},
     "Features": {"Smooth": 0, "Sharp": 1},
+    "ShellSide": {"Inward": 0, "Outward": 1, "Centered": 2},
     "Operation": {"Union": 0, "Intersection": 1, "Difference": 2, "Symmetric Difference": 3},
     "NormalEstimation": {"Automatic": 0, "Spanning Tree": 1, "Winding Consistent": 2},
     "PointAreas.PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2},
@@ -251,6 +252,8 @@ DEFAULTS_OF_PANELS = {
 # of which the classes take more.
 RANGES = {
     "FidelitySamples": (0, None),
+    "Offset": (None, None),
+    "Shell": (0, None),
     "Tolerance": (0, None),
     "PointArea": (0, None),
     "NumberOfNeighbors": (3, 1000),
