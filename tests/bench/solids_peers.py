@@ -9,9 +9,9 @@ seconds stand those of MeshLib and of VTK's own filter, with what these return. 
 distance is 2 % of the longest side, outward and inward, and MeshLib's offsets have voxels of the
 same size.
 
-For each result it prints the error of its volume, its edges with other than two faces, and the
-distances of 20 000 points of it, evenly distributed, from the exact result, or off the offset: p50,
-p99 and the largest, in voxels. Seconds are those of the whole program for `winding`, and without
+For each result it prints its edges with other than two faces and the distances of 20 000 points of
+it, evenly distributed, from the exact result, or off the offset: p50, p99 and the largest, in
+voxels; for booleans the error of its volume, too. Seconds are those of the whole program for `winding`, and without
 files for all others. Needs NumPy, VTK, manifold3d and meshlib.
 """
 
@@ -71,10 +71,9 @@ class Solid(Mesh):
     def as_meshlib(self):
         return mrmeshnumpy.meshFromFacesVerts(self.triangles.astype(np.int32), self.points)
 
-    def row(self, distances, volume):
-        return (f"volume {self.volume() / volume - 1:+.1e}; bad edges {self.bad_edges()}; "
-                f"p50 {np.median(distances):.4f}, p99 {np.percentile(distances, 99):.3f}, "
-                f"largest {distances.max():.2f}")
+    def row(self, distances):
+        return (f"bad edges {self.bad_edges()}; p50 {np.median(distances):.4f}, "
+                f"p99 {np.percentile(distances, 99):.3f}, largest {distances.max():.2f}")
 
 
 def run(program, *arguments):
@@ -151,8 +150,9 @@ def booleans(program, resolution, paths, folder):
                               resolution, *more)
                 found = Solid.of_data(f"{folder}/out.ply")
                 distances = exact.distances(found.sampled()) / voxel
-                print(f"    {features:6} {seconds:.2f} s; {found.row(distances, exact.volume())}",
-                      flush=True)
+                print(f"    {features:6} {seconds:.2f} s; "
+                      f"volume {found.volume() / exact.volume() - 1:+.1e}; "
+                      f"{found.row(distances)}", flush=True)
 
 
 def offsets(program, resolution, paths, folder):
@@ -179,7 +179,7 @@ def offsets(program, resolution, paths, folder):
                                   f"--offset={offset}", *more)
                     found = Solid.of_data(f"{folder}/out.ply")
                 off = np.abs(source.distances(found.sampled()) - abs(offset)) / voxel
-                print(f"  {name:7} {seconds:.2f} s; {found.row(off, source.volume())}", flush=True)
+                print(f"  {name:7} {seconds:.2f} s; {found.row(off)}", flush=True)
 
 
 if __name__ == "__main__":
