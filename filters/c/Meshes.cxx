@@ -316,8 +316,11 @@ winding_status winding_level_surface(const winding_field* field, const winding_g
             [&]
             {
               surface.findEdges();
-              surface.warn(true);
               const winding::SolidShape shape = shapeOf(wished);
+              if (!winding::isSheet(handle.field->info(), shape))
+              {
+                surface.warn(true);
+              }
               if (shape.isPlain())
               {
                 writeSurface(
@@ -570,9 +573,8 @@ winding_status winding_compare(const winding_field* field, const winding_mesh* m
       {
         wanted.from = &handle.field->distanceTree(call.executor);
       }
-      const winding::Fidelity found =
-        winding::compareWithSource(*handle.field, vertices, triangles, voxel,
-          static_cast<std::size_t>(samples), seed, call.executor, isMoved ? &wanted : nullptr);
+      const winding::Fidelity found = winding::compareWithSource(*handle.field, vertices, triangles,
+        voxel, static_cast<std::size_t>(samples), seed, call.executor, isMoved ? &wanted : nullptr);
       winding_fidelity to = {};
       to.samples = static_cast<int64_t>(found.samples);
       to.largest_from_source = found.largestFromSource;

@@ -378,7 +378,7 @@ void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
   std::vector<winding::Message> warnings = info.warnings;
   const auto openSide = winding::openSideAdvice(
     info, {this->WindingThreshold, this->TakesTouchedVoxels(), this->MayCloseBorder()});
-  if (openSide)
+  if (openSide && this->InsideMatters(info))
   {
     warnings.push_back(*openSide);
   }
@@ -551,7 +551,7 @@ void vtkWindingNumberAlgorithm::TellSides(
     field, sides, winding::coreInsideRule(this->InsideRule), this->WindingThreshold, executor);
   this->SourceLooksInward = facing.looksInward;
   this->SourceIsInsideOut = facing.looksInward ? facing.isInsideOut : this->SourceIsInsideOut;
-  if (facing.warning)
+  if (facing.warning && this->InsideMatters(field.info()))
   {
     vtkWarningMacro(<< this->GetSourcePrefix() << winding::lineOf(*facing.warning));
   }

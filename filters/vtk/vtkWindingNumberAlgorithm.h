@@ -523,6 +523,10 @@ protected:
   /// Whether the result ends at the border of the grid, and could be closed there.
   virtual bool MayCloseBorder() const { return false; }
 
+  /// Returns whether the result of a source with this field depends on what is inside. Otherwise
+  /// nothing is said about that.
+  virtual bool InsideMatters(const winding::FieldInfo&) const { return true; }
+
   /// Whether a sample that is half inside does not count, so that a lower threshold may help.
   bool HasHighThreshold() const { return this->InsideRule != ODD && this->WindingThreshold > 0.5; }
 

@@ -63,6 +63,11 @@ winding::SolidShape vtkWindingNumberSurface::GetShape() const
   return shape;
 }
 
+bool vtkWindingNumberSurface::InsideMatters(const winding::FieldInfo& info) const
+{
+  return !winding::isSheet(info, this->GetShape());
+}
+
 double vtkWindingNumberSurface::GetReachBeyondSource() const
 {
   return this->GetShape().reach();
@@ -141,10 +146,13 @@ std::shared_ptr<const winding::DistanceTree> vtkWindingNumberSurface::MakeSurfac
         this->WindingThreshold, this->CloseBorder != 0);
       this->FindEdges(edges, field, executor);
       const bool isAllInside = this->TellAllInside(edges);
-      this->WarnOfGrid(field, edges.size() == 0 && !isAllInside,
-        [&edges](int i, int j, int k) {
-          return edges.isSampleInside({i, j, k});
-        });
+      if (this->InsideMatters(field.info()))
+      {
+        this->WarnOfGrid(field, edges.size() == 0 && !isAllInside,
+          [&edges](int i, int j, int k) {
+            return edges.isSampleInside({i, j, k});
+          });
+      }
       winding::EdgeRoots roots(0);
       const auto findRoots = [&]() -> const winding::EdgeRoots&
       {

@@ -136,6 +136,7 @@ protected:
   void HashProperties(winding::ContentHash& hash) override;
   std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
   double GetReachBeyondSource() const override;
+  bool InsideMatters(const winding::FieldInfo& info) const override;
 
   vtkTypeBool FillCavities = 0;
   double Offset = 0;

@@ -146,9 +146,11 @@ TEST_F(Shape, OfAnOpenSheetIsThickenedWithItsRim)
   const double radius = 1, half = 0.15;
   filter->SetShell(2 * half);
   filter->SetShellSide(Filter::CENTERED);
+  const ErrorLog log(filter);
   const double walls = (volumeOfBall(radius + half) - volumeOfBall(radius - half)) / 2;
   const double tube = vtkMath::Pi() * half * half * vtkMath::Pi() * radius;
   EXPECT_NEAR(this->volumeOf(ball(radius, 90)), walls + tube, 0.01 * (walls + tube));
+  EXPECT_EQ(log.warnings(), "");
   EXPECT_EQ(this->base(), "source");
 }
 

@@ -15,13 +15,6 @@ namespace winding
 namespace
 {
 
-/// A shell about the triangles of an open source.
-bool isSheet(const FieldInfo& info, const SolidShape& shape)
-{
-  return shape.shell > 0 && shape.shellSide == ShellSide::centered && shape.offset == 0 &&
-         !shape.fillsCavities && info.isSurface && !info.jumpsOnly();
-}
-
 /**
  * Returns whether every triangle has the inside on one side and the outside on the other. Places
  * on both sides of its middle are asked, nearer than a sixteenth of the circle in it. Triangles
@@ -131,6 +124,12 @@ std::unique_ptr<const LevelEdges> noEdges(const Grid& grid, bool withBorder, Exe
 }
 
 } // namespace
+
+bool isSheet(const FieldInfo& info, const SolidShape& shape)
+{
+  return shape.shell > 0 && shape.shellSide == ShellSide::centered && shape.offset == 0 &&
+         !shape.fillsCavities && info.isSurface && !info.jumpsOnly();
+}
 
 ShapedSolid::ShapedSolid(const Field& field, const Grid& grid, InsideRule rule, double threshold,
   const LevelEdges& solid, const EdgeRoots& roots, const SolidShape& shape, bool isSharp,

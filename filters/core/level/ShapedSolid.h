@@ -19,6 +19,10 @@ enum class DistanceBase
   surface, ///< the solid's surface, as the grid shows it
 };
 
+/// Returns whether a shape is a shell about the triangles of an open source, whose inside does not
+/// matter then.
+bool isSheet(const FieldInfo& info, const SolidShape& shape);
+
 /**
  * The shape of a solid, as edges of a grid and their roots.
  *
