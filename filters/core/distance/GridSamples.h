@@ -29,6 +29,14 @@ inline Extent common(const Extent& a, const Extent& b)
   return both;
 }
 
+/// Returns the position of a sample of a grid in scaled coordinates.
+inline Eigen::Vector3d scaledSample(const Grid& grid, int i, int j, int k, double scale)
+{
+  const Eigen::Vector3d position = grid.sample(i, j, k);
+  return {scaledCoordinate(position[0], scale), scaledCoordinate(position[1], scale),
+    scaledCoordinate(position[2], scale)};
+}
+
 /// The samples of a grid as CellDescent.h wants them: a part is an extent. A class that inherits
 /// writes what is found.
 class GridSamples
@@ -95,9 +103,7 @@ public:
 private:
   Eigen::Vector3d positionOf(int i, int j, int k) const
   {
-    const Eigen::Vector3d position = grid_.sample(i, j, k);
-    return {scaledCoordinate(position[0], scale_), scaledCoordinate(position[1], scale_),
-      scaledCoordinate(position[2], scale_)};
+    return scaledSample(grid_, i, j, k, scale_);
   }
 
   const Grid& grid_;

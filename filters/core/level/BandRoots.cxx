@@ -1,7 +1,7 @@
 #include "level/BandRoots.h"
 
 #include "distance/CellDescent.h"
-#include "source/UnitScale.h"
+#include "distance/GridSamples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,8 +104,7 @@ private:
 
   Eigen::Vector3d scaled(const Eigen::Vector3i& sample) const
   {
-    return grid_.sample(sample).unaryExpr(
-      [this](double x) { return scaledCoordinate(x, tree_.scale()); });
+    return scaledSample(grid_, sample[0], sample[1], sample[2], tree_.scale());
   }
 
   Line lineOf(std::uint32_t number) const
@@ -328,10 +327,8 @@ private:
   double distanceOf(const std::array<int, 3>& sample) const
   {
     Nearest nearest = {infinite, {0, 0, 0}};
-    const Eigen::Vector3d place =
-      grid_.sample(sample[0], sample[1], sample[2])
-        .unaryExpr([this](double x) { return scaledCoordinate(x, tree_.scale()); });
-    tree_.findNearest(place, 0, nearest);
+    tree_.findNearest(
+      scaledSample(grid_, sample[0], sample[1], sample[2], tree_.scale()), 0, nearest);
     return std::sqrt(nearest.squared) / tree_.scale();
   }
 

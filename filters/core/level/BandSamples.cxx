@@ -2,6 +2,7 @@
 
 #include "distance/CellDescent.h"
 #include "distance/GridSamples.h"
+#include "level/SideRuns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,15 +104,7 @@ BandSamples::BandSamples(const DistanceTree& tree, const LevelEdges& solid, cons
 
 void BandSamples::findRuns(int j, int k, std::vector<RowRun>& runs) const
 {
-  const std::uint8_t* const row = &states_[sampleNumber(extent_, 0, j, k)];
-  const int width = extent_[1] + 1;
-  runs.clear();
-  for (int begin = 0; begin < width;)
-  {
-    const int end = static_cast<int>(std::find(row + begin, row + width, !row[begin]) - row);
-    runs.push_back({begin, end, row[begin]});
-    begin = end;
-  }
+  describeSides(&states_[sampleNumber(extent_, 0, j, k)], extent_[1] + 1, runs);
 }
 
 } // namespace winding

@@ -1,6 +1,7 @@
 #include "level/LevelEdges.h"
 
 #include "base/Refusal.h"
+#include "level/SideRuns.h"
 
 #include <algorithm>
 #include <limits>
@@ -174,15 +175,8 @@ public:
   /// Describes a row as runs, with value 1 inside and 0 outside.
   void findRuns(int j, int k, std::vector<RowRun>& runs) const
   {
-    const int width = extent_[1] + 1;
     const std::uint8_t* row = inside_.data() + sampleNumber(extent_, 0, j, k) - layerSize_;
-    runs.clear();
-    for (int begin = 0; begin < width;)
-    {
-      const int end = static_cast<int>(std::find(row + begin, row + width, !row[begin]) - row);
-      runs.push_back({begin, end, row[begin]});
-      begin = end;
-    }
+    describeSides(row, extent_[1] + 1, runs);
   }
 
   SideCounts countSides(int k, double threshold) const
