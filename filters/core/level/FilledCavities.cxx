@@ -1,6 +1,7 @@
 #include "level/FilledCavities.h"
 
 #include "base/DisjointSets.h"
+#include "level/CombinedRoots.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -151,23 +152,6 @@ private:
   std::size_t cavities_ = 0;
 };
 
-/// Takes the roots of edges that another solid has, too.
-EdgeRoots rootsOf(
-  const LevelEdges& edges, const LevelEdges& solid, const EdgeRoots& solidRoots, Executor& executor)
-{
-  EdgeRoots roots(edges.size());
-  forEachItem(
-    edges.size(),
-    [&](std::size_t n)
-    {
-      const std::size_t found = solid.find(edges[n].sample, edges[n].axis);
-      roots.fractions[n] = solidRoots.fractions[found];
-      roots.normals[n] = solidRoots.normals[found];
-    },
-    executor);
-  return roots;
-}
-
 } // namespace
 
 FilledCavities::FilledCavities(
@@ -186,7 +170,8 @@ FilledCavities::FilledCavities(
         return LevelEdges(
           grid, solid.border() > 0, 1, [&](int, int) { return rowRuns; }, executor);
       }())
-  , roots(rootsOf(edges, solid, solidRoots, executor))
+  // All edges are the solid's own, so these are the roots of a union of one.
+  , roots(CombinedRoots(edges, {{&solid, &solidRoots}}, BooleanOperation::unite, executor).roots)
 {
 }
 
