@@ -9,6 +9,7 @@
 #include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/pipeline/VtkVersions.h"
+#include "private/source/CellChecks.h"
 #include "private/source/SourceParts.h"
 #include "private/source/SourceProperties.h"
 #include "report/InsideOutAdvice.h"
@@ -329,6 +330,7 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
 {
   winding::checkProperty(winding::Parameter::windingThreshold, this->WindingThreshold);
   const winding::InsideRule rule = winding::coreInsideRule(this->InsideRule);
+  winding::checkStructure(image, "the image");
   if (image->GetNumberOfPoints() == 0)
   {
     return;

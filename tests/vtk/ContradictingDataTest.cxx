@@ -9,6 +9,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkImplicitWindingNumber.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -16,6 +17,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkStructuredGrid.h"
@@ -26,6 +28,7 @@
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
+#include "vtkWindingNumberVoxels.h"
 
 #include <gtest/gtest.h>
 
@@ -351,6 +354,74 @@ TEST(ContradictingData, DimensionsOfStructuredGrids)
     grid->SetDimensions(dimension, dimension, dimension);
     expectRefused(grid, "more nodes than its 4 points");
   }
+}
+
+/// A grid of its own type with two points along each axis and one scalar at each.
+template <class Grid> vtkSmartPointer<Grid> eightPoints()
+{
+  auto grid = vtkSmartPointer<Grid>::New();
+  grid->SetDimensions(2, 2, 2);
+  vtkNew<vtkFloatArray> values;
+  values->SetNumberOfTuples(8);
+  values->Fill(1);
+  grid->GetPointData()->SetScalars(values);
+  return grid;
+}
+
+TEST(ContradictingData, CoordinatesOfRectilinearGrids)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto grid = eightPoints<vtkRectilinearGrid>();
+    vtkNew<vtkDoubleArray> ends;
+    ends->InsertNextValue(0);
+    ends->InsertNextValue(1);
+    vtkNew<vtkDoubleArray> one;
+    one->InsertNextValue(0);
+    grid->SetXCoordinates(axis == 0 ? one : ends);
+    grid->SetYCoordinates(axis == 1 ? one : ends);
+    grid->SetZCoordinates(axis == 2 ? nullptr : ends.Get());
+    expectRefusedAsQueries(
+      grid, std::string(axis == 2 ? "0" : "1") + " coordinates for 2 points along " + "xyz"[axis]);
+  }
+}
+
+TEST(ContradictingData, ExtentsThatEndBeforeTheyBegin)
+{
+  const int once[] = {0, 1, 10, 1, 0, 1}, twice[] = {10, 1, 10, 1, 0, 1};
+  for (const int* extent : {once, twice})
+  {
+    const std::string fault = extent == once ? "from 10 to 1 along y" : "from 10 to 1 along x";
+    const auto rectilinear = eightPoints<vtkRectilinearGrid>();
+    rectilinear->SetExtent(const_cast<int*>(extent)); // VTK takes no const extents there
+    expectRefusedAsQueries(rectilinear, fault);
+    const auto structured = eightPoints<vtkStructuredGrid>();
+    structured->SetPoints(fourPoints());
+    structured->SetExtent(const_cast<int*>(extent));
+    expectRefusedAsQueries(structured, fault);
+    const auto image = eightPoints<vtkImageData>();
+    image->SetExtent(const_cast<int*>(extent));
+    expectRefusedAsQueries(image, fault);
+    vtkNew<vtkWindingNumberVoxels> voxels;
+    voxels->SetInputData(image);
+    vtkNew<vtkWindingNumberField> field;
+    field->SetInputData(tetrahedron());
+    field->SetLikeData(image);
+    for (vtkAlgorithm* filter :
+      {static_cast<vtkAlgorithm*>(voxels), static_cast<vtkAlgorithm*>(field)})
+    {
+      ErrorLog log(filter);
+      filter->Update();
+      EXPECT_NE(log.errors().find(fault), std::string::npos) << log.errors();
+    }
+  }
+}
+
+TEST(ContradictingData, ExtentBeyondIds)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(std::numeric_limits<int>::max(), std::numeric_limits<int>::max(), 3);
+  expectRefusedAsQueries(image, "more points than there are ids");
 }
 
 TEST(ContradictingData, ArraysThatAreTooShort)

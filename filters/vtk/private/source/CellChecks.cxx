@@ -7,13 +7,16 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkIdList.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -56,20 +59,50 @@ void checkOffsets(vtkCellArray* cells, const std::string& name)
   }
 }
 
-void checkDimensions(vtkStructuredGrid* grid, const std::string& name)
+/// Refuses an `extent` that ends before it begins, where VTK counts points or cells of it all the
+/// same. Returns its numbers of points along the axes.
+std::array<double, 3> checkExtent(vtkDataSet* data, const int* extent, const std::string& name)
 {
-  int extent[6];
-  grid->GetExtent(extent);
-  const vtkIdType points = grid->GetNumberOfPoints();
-  double nodes = 1; // cannot overflow, as integers could
-  for (int axis = 0; axis < 3; ++axis)
+  std::array<double, 3> sizes; // cannot overflow, as integers could
+  const bool isEmpty = data->GetNumberOfPoints() == 0 && data->GetNumberOfCells() == 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    nodes *= std::max(0.0, 1.0 + extent[2 * axis + 1] - extent[2 * axis]);
+    const int first = extent[2 * axis], last = extent[2 * axis + 1];
+    sizes[axis] = std::max(0.0, 1.0 + last - first);
+    if (!isEmpty && 1.0 + last < first)
+    {
+      refuse(name, "has an extent that runs from " + std::to_string(first) + " to " +
+                     std::to_string(last) + " along " + "xyz"[axis]);
+    }
   }
-  if (nodes > static_cast<double>(points))
+  return sizes;
+}
+
+void checkNodes(vtkStructuredGrid* grid, const std::string& name)
+{
+  const std::array<double, 3> sizes = checkExtent(grid, grid->GetExtent(), name);
+  const vtkIdType points = grid->GetNumberOfPoints();
+  if (sizes[0] * sizes[1] * sizes[2] > static_cast<double>(points))
   {
     refuse(
       name, "is a structured grid with more nodes than its " + std::to_string(points) + " points");
+  }
+}
+
+void checkCoordinates(vtkRectilinearGrid* grid, const std::string& name)
+{
+  const std::array<double, 3> sizes = checkExtent(grid, grid->GetExtent(), name);
+  vtkDataArray* const coordinates[] = {
+    grid->GetXCoordinates(), grid->GetYCoordinates(), grid->GetZCoordinates()};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const vtkIdType count = coordinates[axis] ? coordinates[axis]->GetNumberOfTuples() : 0;
+    if (sizes[axis] > static_cast<double>(count) && grid->GetNumberOfPoints() > 0)
+    {
+      refuse(name, "is a rectilinear grid with " + std::to_string(count) + " coordinates for " +
+                     std::to_string(static_cast<vtkIdType>(sizes[axis])) + " points along " +
+                     "xyz"[axis]);
+    }
   }
 }
 
@@ -209,7 +242,19 @@ void checkStructure(vtkDataSet* data, const std::string& name)
   }
   else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
   {
-    checkDimensions(structured, name);
+    checkNodes(structured, name);
+  }
+  else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
+  {
+    checkCoordinates(rectilinear, name);
+  }
+  else if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    const std::array<double, 3> sizes = checkExtent(image, image->GetExtent(), name);
+    if (sizes[0] * sizes[1] * sizes[2] > static_cast<double>(VTK_ID_MAX))
+    {
+      refuse(name, "has more points than there are ids");
+    }
   }
 }
 

@@ -15,8 +15,9 @@ namespace winding
  */
 
 /**
- * Refuses offsets of cells that lead out of their list of ids, cells without a type, and structured
- * grids with fewer points than their dimensions ask for. It does not look at ids.
+ * Refuses offsets of cells that lead out of their list of ids, cells without a type, grids whose
+ * extents end before they begin, and structured and rectilinear grids with fewer points or
+ * coordinates than their extents ask for. It does not look at ids.
  */
 void checkStructure(vtkDataSet* data, const std::string& name);
 

@@ -1,6 +1,7 @@
 #include "private/source/ImageGrid.h"
 
 #include "base/Refusal.h"
+#include "private/source/CellChecks.h"
 
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -72,6 +73,7 @@ bool hasRightAngles(vtkImageData* image, double skew)
 
 ImageGrid requiredGridOf(vtkImageData* image, bool atCells, bool areVoxels)
 {
+  checkStructure(image, "the image to lie on");
   if (image->GetNumberOfPoints() == 0)
   {
     throw Refusal(Message("the image to lie on is empty",
