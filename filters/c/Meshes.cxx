@@ -175,10 +175,12 @@ void writeSurface(const Grid& grid, const winding::LevelEdges& edges,
 {
   const bool areDoubles =
     options.type == 0 ? winding::needsDoublePoints(grid) : options.type == WINDING_FLOAT64;
-  if (options.features == WINDING_FEATURES_SHARP)
+  if (options.features != WINDING_FEATURES_SMOOTH)
   {
+    const winding::EdgeRoots* const roots =
+      options.features == WINDING_FEATURES_SHARP ? &findRoots() : nullptr;
     const winding::SharpContour contour(
-      grid, edges, findRoots(), options.generate_triangles != 0, call.executor);
+      grid, edges, roots, options.generate_triangles != 0, call.executor);
     writePoints(mesh, contour.vertices(), areDoubles,
       [&](auto* points) { contour.place(points, call.executor); });
     mesh.offsets.resize(contour.polygons() + 1);

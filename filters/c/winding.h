@@ -616,7 +616,8 @@ extern "C"
   typedef enum winding_features
   {
     WINDING_FEATURES_SMOOTH = 0, /**< they are rounded within a voxel */
-    WINDING_FEATURES_SHARP = 1   /**< they are kept, by faces of four corners */
+    WINDING_FEATURES_SHARP = 1,  /**< they are kept, by faces of four corners */
+    WINDING_FEATURES_VOXELS = 2  /**< the surface has the sides of the voxels around the samples */
   } winding_features;
 
   /** The sides of a solid's surface that its shell lies on. */
@@ -842,10 +843,9 @@ extern "C"
    * @param run null for the defaults
    * @param refusal receives why the call was refused, unless it is null
    */
-  WINDING_API winding_status winding_nearest(winding_array points,
-    const winding_polygons* polygons, const winding_options* options, winding_array samples,
-    int64_t* nearest, int64_t* corners, double* weights, const winding_run* run,
-    winding_refusal* refusal);
+  WINDING_API winding_status winding_nearest(winding_array points, const winding_polygons* polygons,
+    const winding_options* options, winding_array samples, int64_t* nearest, int64_t* corners,
+    double* weights, const winding_run* run, winding_refusal* refusal);
 
   /** The health of a surface. */
   typedef struct winding_report

@@ -229,7 +229,10 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
   {
     if (wantsData)
     {
-      vtkDataObject::GetData(outputs)->Initialize();
+      for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+      {
+        vtkDataObject::GetData(outputs, port)->Initialize();
+      }
     }
     // The pipeline would add an extent that failed to the next one that is asked for.
     outputs->GetInformationObject(0)->Remove(

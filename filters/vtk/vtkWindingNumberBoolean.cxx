@@ -255,11 +255,10 @@ std::size_t vtkWindingNumberBoolean::GetAdditionalBytes(const winding::Field& fi
 }
 
 int vtkWindingNumberBoolean::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+  vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  vtkInformation* outInfo = outputs->GetInformationObject(0);
-  vtkPolyData* output = vtkPolyData::GetData(outInfo);
-  if (this->IsLaterPiece(outInfo))
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  if (this->IsLaterPiece(GetRequestedOutput(request, outputs)))
   {
     return 1;
   }
@@ -271,7 +270,7 @@ int vtkWindingNumberBoolean::RequestData(
     throw winding::Refusal(winding::Message(
       "there are fewer than two solids", {{"give another input, or several blocks", {}}}));
   }
-  this->LayOutGrid(blocks);
+  this->LayGridOver(blocks);
   if (!this->CloseBorder)
   {
     winding::refuseFlatGrid(this->GetSampling());
@@ -365,6 +364,7 @@ void vtkWindingNumberBoolean::MakeResult(const std::vector<Operand>& operands, v
   this->MakePolyData(
     result, [&]() -> const winding::EdgeRoots& { return combined.roots; }, &combined.operands,
     executor, output);
+  this->MakeImage(result, executor);
   const auto units = winding::unitAdvice(this->Facts->bounds);
   // Blocks of one data set have one unit.
   if (units && this->GetSourceConnections().size() > 1)

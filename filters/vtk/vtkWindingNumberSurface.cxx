@@ -74,18 +74,17 @@ double vtkWindingNumberSurface::GetReachBeyondSource() const
 }
 
 int vtkWindingNumberSurface::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkInformation* outInfo = outputs->GetInformationObject(0);
-  vtkPolyData* output = vtkPolyData::GetData(outInfo);
-  if (this->IsLaterPiece(outInfo))
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  if (this->IsLaterPiece(GetRequestedOutput(request, outputs)))
   {
     return 1;
   }
   this->FidelityInWords.clear();
   this->AgreeOnProperties();
   vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
-  this->LayOutGrid(source);
+  this->LayGridOver(source);
   if (!this->CloseBorder)
   {
     winding::refuseFlatGrid(this->GetSampling());
@@ -163,6 +162,7 @@ std::shared_ptr<const winding::DistanceTree> vtkWindingNumberSurface::MakeSurfac
       if (shape.isPlain())
       {
         this->MakePolyData(edges, findRoots, nullptr, executor, output);
+        this->MakeImage(edges, executor);
       }
       else
       {
@@ -172,6 +172,7 @@ std::shared_ptr<const winding::DistanceTree> vtkWindingNumberSurface::MakeSurfac
         this->MakePolyData(
           shaped.edges(), [&]() -> const winding::EdgeRoots& { return shaped.roots(); }, nullptr,
           executor, output);
+        this->MakeImage(shaped.edges(), executor);
         this->TellShape(shaped, output);
         surfaceTree = shaped.surfaceTree();
       }

@@ -150,8 +150,8 @@ private:
   void TellShape(const winding::ShapedSolid& shaped, vtkPolyData* output);
   std::shared_ptr<const winding::DistanceTree> MakeSurface(
     const winding::Field& field, vtkPolyData* output);
-  void CompareWithSource(const winding::Field& field, const winding::DistanceTree* surfaceTree,
-    vtkPolyData* output);
+  void CompareWithSource(
+    const winding::Field& field, const winding::DistanceTree* surfaceTree, vtkPolyData* output);
   void VerifyWholeGrid(const winding::Field& field);
 
   std::string FidelityInWords;

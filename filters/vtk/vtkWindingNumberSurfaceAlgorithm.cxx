@@ -11,6 +11,7 @@
 #include "messages/PropertyChecks.h"
 #include "private/output/HandedArrays.h"
 #include "private/output/NearestAttributes.h"
+#include "private/output/ResultArrays.h"
 #include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
@@ -21,7 +22,9 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
 #include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -34,6 +37,8 @@
 
 #include <algorithm>
 #include <string>
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 namespace
 {
@@ -106,23 +111,72 @@ vtkSmartPointer<vtkIntArray> operandsOf(std::size_t count, const OperandOf& oper
 
 } // namespace
 
+vtkWindingNumberSurfaceAlgorithm::vtkWindingNumberSurfaceAlgorithm()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
 vtkPolyData* vtkWindingNumberSurfaceAlgorithm::GetOutput()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
 }
 
-int vtkWindingNumberSurfaceAlgorithm::FillOutputPortInformation(int, vtkInformation* info)
+vtkImageData* vtkWindingNumberSurfaceAlgorithm::GetImage()
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkWindingNumberSurfaceAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkImageData");
   return 1;
 }
 
-int vtkWindingNumberSurfaceAlgorithm::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+vtkInformation* vtkWindingNumberSurfaceAlgorithm::GetRequestedOutput(
+  vtkInformation* request, vtkInformationVector* outputs)
 {
+  return outputs->GetInformationObject(std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT())));
+}
+
+int vtkWindingNumberSurfaceAlgorithm::RequestInformation(
+  vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* outInfo = GetRequestedOutput(request, outputs);
+  vtkInformation* ofImage = outputs->GetInformationObject(1);
+  winding::Extent extent = {0, -1, 0, -1, 0, -1};
+  ofImage->Set(Pipeline::WHOLE_EXTENT(), extent.data(), 6);
   this->LookAtSource(this->GetSource());
-  this->FindBoundsOverAllTimes(outputs->GetInformationObject(0));
+  this->FindBoundsOverAllTimes(outInfo);
+  if (!this->GenerateImage)
+  {
+    return 1;
+  }
+  this->AgreeOnProperties();
+  if (this->UseInputBounds)
+  {
+    this->UpdateSource(outInfo);
+  }
+  this->LayOutGrid(this->GetSource());
+  const winding::Grid& grid = this->GetSampling();
+  extent = grid.wholeExtent();
+  ofImage->Set(Pipeline::WHOLE_EXTENT(), extent.data(), 6);
+  ofImage->Set(vtkDataObject::ORIGIN(), grid.firstSample.data(), 3);
+  ofImage->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(ofImage, VTK_UNSIGNED_CHAR, 1);
   return 1;
+}
+
+void vtkWindingNumberSurfaceAlgorithm::LayGridOver(vtkDataObject* source)
+{
+  this->GetImage()->Initialize();
+  if (this->GenerateImage)
+  {
+    this->MoveGrid(source);
+  }
+  else
+  {
+    this->LayOutGrid(source);
+  }
 }
 
 void vtkWindingNumberSurfaceAlgorithm::CheckProperties()
@@ -147,14 +201,17 @@ void vtkWindingNumberSurfaceAlgorithm::HashProperties(winding::ContentHash& hash
   hash.addValue(this->OutputPointsPrecision);
   hash.addValue(this->TransferAttributes);
   hash.addValue(this->GenerateNearestCells);
+  hash.addValue(this->GenerateImage);
 }
 
 double vtkWindingNumberSurfaceAlgorithm::GetResultBytes(vtkIdType) const
 {
+  const std::size_t bytesOfImage =
+    this->GenerateImage ? winding::sampleCount(this->GetSampling().wholeExtent()) : 0;
   const bool hasSlabs =
     this->GetNumberOfCapTriangles() > 0 ||
     this->GetMethodUsed() != std::string(winding::nameOf(winding::Method::rows));
-  return winding::LevelEdges::bytesOfRows(this->GetSampling()) +
+  return static_cast<double>(bytesOfImage) + winding::LevelEdges::bytesOfRows(this->GetSampling()) +
          (hasSlabs ? winding::LevelEdges::bytesOfSlab(this->GetSampling()) : 0);
 }
 
@@ -169,8 +226,7 @@ bool vtkWindingNumberSurfaceAlgorithm::NeedsDoublePoints() const
 
 bool vtkWindingNumberSurfaceAlgorithm::IsLaterPiece(vtkInformation* output) const
 {
-  return output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0 &&
-         this->GetRanks().isAlone();
+  return output->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0 && this->GetRanks().isAlone();
 }
 
 /// Where the source's area promises too many vertices, as it does for triangles one behind the
@@ -245,10 +301,10 @@ void vtkWindingNumberSurfaceAlgorithm::MakePolyData(const winding::LevelEdges& e
   vtkPolyData* output) const
 {
   const winding::Grid& grid = this->GetSampling();
-  if (this->Features == SHARP)
+  if (this->Features != SMOOTH)
   {
-    const winding::SharpContour contour(
-      grid, edges, findRoots(), this->GenerateTriangles != 0, executor);
+    const winding::EdgeRoots* const roots = this->Features == SHARP ? &findRoots() : nullptr;
+    const winding::SharpContour contour(grid, edges, roots, this->GenerateTriangles != 0, executor);
     output->SetPoints(pointsOf(contour.vertices(), this->NeedsDoublePoints(),
       [&](auto* coordinates) { contour.place(coordinates, executor); }));
     const auto ids = idsOf(contour.corners()), offsets = idsOf(contour.polygons() + 1);
@@ -301,6 +357,42 @@ void vtkWindingNumberSurfaceAlgorithm::MakePolyData(const winding::LevelEdges& e
   }
 }
 
+void vtkWindingNumberSurfaceAlgorithm::MakeImage(
+  const winding::LevelEdges& edges, winding::SmpExecutor& executor)
+{
+  if (!this->GenerateImage)
+  {
+    return;
+  }
+  const winding::Grid& grid = this->GetSampling();
+  winding::Extent extent = grid.wholeExtent();
+  vtkImageData* const image = this->GetImage();
+  image->SetExtent(extent.data());
+  image->SetOrigin(grid.firstSample.data());
+  image->SetSpacing(grid.spacing.data());
+  const auto inside = winding::makeResultArray(
+    VTK_UNSIGNED_CHAR, "Inside", static_cast<vtkIdType>(winding::sampleCount(extent)));
+  auto* const values = static_cast<unsigned char*>(inside->GetVoidPointer(0));
+  winding::runBlocks(
+    static_cast<std::size_t>(grid.dimensions[2]), 1,
+    [&](std::size_t layer, std::size_t, std::size_t)
+    {
+      const int k = static_cast<int>(layer);
+      std::vector<winding::RowRun> runs;
+      for (int j = 0; j < grid.dimensions[1]; ++j)
+      {
+        edges.findRuns(j, k, runs);
+        unsigned char* const row = values + winding::sampleNumber(extent, 0, j, k);
+        for (const winding::RowRun& run : runs)
+        {
+          std::fill(row + run.begin, row + run.end, static_cast<unsigned char>(run.value));
+        }
+      }
+    },
+    executor);
+  image->GetPointData()->SetScalars(inside);
+}
+
 std::size_t vtkWindingNumberSurfaceAlgorithm::GetBytesOfNearest(const winding::Field& field) const
 {
   const winding::FieldInfo& info = field.info();
@@ -335,5 +427,6 @@ void vtkWindingNumberSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateNormals: " << this->GenerateNormals << "\n";
   os << indent << "TransferAttributes: " << this->TransferAttributes << "\n";
   os << indent << "GenerateNearestCells: " << this->GenerateNearestCells << "\n";
+  os << indent << "GenerateImage: " << this->GenerateImage << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

@@ -16,6 +16,10 @@
  * four vertices around it. The surface is 2-manifold, also where two pieces of surface pass one
  * cell; in these cells triangles may pass through each other, and in no others.
  *
+ * **Voxels.** With Features VOXELS the surface has the quads that vtkWindingNumberVoxels makes of
+ * the samples: the sides of the boxes of one spacing around the inside ones. Where voxels touch at
+ * an edge or a corner only, it is 2-manifold all the same, with two vertices in one place.
+ *
  * Triangles face outward, share their vertices, and leave no gaps but at the border of the grid. A
  * solid may reach beyond it: there the surface ends, or is closed if CloseBorder is on. Details
  * finer than a voxel may be lost, and edges of the source are cut off inside of voxels. Where all
@@ -26,7 +30,7 @@
  * vtkWindingNumberField's. The result has the same bits for any number of threads, and for
  * any order of the source's triangles and points. It takes the memory of the triangles and 13 bytes
  * for each row of the grid. For a source that is not closed the field passes through memory in
- * slabs of about 100 MB.
+ * slabs of about 100 MB. What is inside is also there as an image, with GenerateImage.
  *
  * @sa vtkWindingNumberSurface vtkWindingNumberBoolean
  */
@@ -39,6 +43,7 @@
 #include <functional>
 #include <vector>
 
+class vtkImageData;
 class vtkPolyData;
 
 namespace winding
@@ -59,18 +64,20 @@ public:
   enum FeaturesType
   {
     SMOOTH = 0, ///< marching cubes; edges of the source are cut off inside of voxels
-    SHARP = 1   ///< dual contouring; edges and corners of the source stay sharp
+    SHARP = 1,  ///< dual contouring; edges and corners of the source stay sharp
+    VOXELS = 2  ///< the sides of the voxels around the samples that are inside
   };
 
   ///@{
-  /// Whether edges and corners of the source stay sharp, as described above. Default SMOOTH.
+  /// The kind of the surface, as described above. Default SMOOTH.
   vtkSetMacro(Features, int);
   vtkGetMacro(Features, int);
   ///@}
 
   ///@{
-  /// Whether all polygons of a sharp surface are triangles; a smooth one has no others. Default
-  /// off: the sharp surface has quads, and four triangles where no diagonal of a quad is good.
+  /// Whether all polygons of a sharp surface, or of one of voxels, are triangles; a smooth one has
+  /// no others. Default off: a surface of voxels has quads, and a sharp one has quads, and four
+  /// triangles where no diagonal of a quad is good.
   vtkSetMacro(GenerateTriangles, vtkTypeBool);
   vtkGetMacro(GenerateTriangles, vtkTypeBool);
   vtkBooleanMacro(GenerateTriangles, vtkTypeBool);
@@ -89,8 +96,8 @@ public:
   /// Whether to add point normals, which point outward. A vertex has the normal of the source's
   /// triangle on which it lies, so that edges and details which voxels blur show in the shading. A
   /// vertex off the source's triangles, and any vertex of a cloud's surface, has the mean of the
-  /// normals of the surface's own triangles around it, weighted by area. A sharp surface gets
-  /// normals of its faces as cell data instead. Default on.
+  /// normals of the surface's own triangles around it, weighted by area. A sharp surface
+  /// or one of voxels gets normals of its faces as cell data instead. Default on.
   vtkSetMacro(GenerateNormals, vtkTypeBool);
   vtkGetMacro(GenerateNormals, vtkTypeBool);
   vtkBooleanMacro(GenerateNormals, vtkTypeBool);
@@ -136,11 +143,23 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
+  ///@{
+  /// Whether port 1 has an image of the samples, with the point array "Inside" (unsigned char): 1
+  /// inside of the result and 0 outside. Its grid is known before the execution, as in
+  /// vtkWindingNumberField. Default off: the image is empty.
+  vtkSetMacro(GenerateImage, vtkTypeBool);
+  vtkGetMacro(GenerateImage, vtkTypeBool);
+  vtkBooleanMacro(GenerateImage, vtkTypeBool);
+  ///@}
+
   /// The output of port 0.
   vtkPolyData* GetOutput();
 
+  /// The output of port 1.
+  vtkImageData* GetImage();
+
 protected:
-  vtkWindingNumberSurfaceAlgorithm() = default;
+  vtkWindingNumberSurfaceAlgorithm();
   ~vtkWindingNumberSurfaceAlgorithm() override = default;
 
   vtkWindingNumberSurfaceAlgorithm(const vtkWindingNumberSurfaceAlgorithm&) = delete;
@@ -151,12 +170,19 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
+  bool InformationNeedsSource() const override { return this->GenerateImage != 0; }
   bool WorksOnFirstRank() const override { return true; }
   bool MayCloseBorder() const override { return !this->CloseBorder; }
   double GetResultBytes(vtkIdType samples) const override;
 
+  /// Returns the information of the output that a request is about.
+  static vtkInformation* GetRequestedOutput(vtkInformation* request, vtkInformationVector* outputs);
+
   /// Whether a request is for a piece that stays empty: the first has everything.
   bool IsLaterPiece(vtkInformation* output) const;
+
+  /// Lays the grid over a source: anew, or where the grid of the image has been announced.
+  void LayGridOver(vtkDataObject* source);
 
   /// Returns the memory of the level surface of a field, and refuses one that does not fit into
   /// memory together with the grid. Sets `edges` to their number as it is expected.
@@ -184,6 +210,9 @@ protected:
     const std::vector<std::uint32_t>* operands, winding::SmpExecutor& executor,
     vtkPolyData* output) const;
 
+  /// Makes the image of the samples that GenerateImage asks for, from the edges of the result.
+  void MakeImage(const winding::LevelEdges& edges, winding::SmpExecutor& executor);
+
   /// Adds what TransferAttributes and GenerateNearestCells ask for.
   void AddNearest(vtkDataObject* source, vtkPolyData* output);
 
@@ -196,6 +225,7 @@ protected:
   vtkTypeBool GenerateNormals = 1;
   vtkTypeBool TransferAttributes = 0;
   vtkTypeBool GenerateNearestCells = 0;
+  vtkTypeBool GenerateImage = 0;
   int OutputPointsPrecision = DEFAULT_PRECISION;
 
 private:

@@ -308,10 +308,10 @@ class WindingAccessor:
                 progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.PolyData:
         """The surface w = threshold, closed over holes: PolyData of triangles.
 
-        The grid is that of field(). features: 'smooth', or 'sharp', which keeps edges and corners
-        and has normals of its faces, not of its points. close_border closes the surface where
-        bounds cut it off. distance_to_input adds the point array 'DistanceToInput', as active
-        scalars: distances from this mesh.
+        The grid is that of field(). features: 'smooth'; 'sharp', which keeps edges and corners; or
+        'voxels', the sides of voxels. The last two have normals of their faces, not of their points.
+        close_border closes the surface where bounds cut it off. distance_to_input adds the point
+        array 'DistanceToInput', as active scalars: distances from this mesh.
 
         fill_cavities makes inside what the outside does not reach. offset is the length by which
         the surface moves outward, inward if negative. shell is the thickness of the shell that
@@ -376,9 +376,9 @@ class WindingAccessor:
 
         Each mesh is a solid by its own winding number, and need be neither closed nor manifold. All
         of them are sampled on one grid, that of field() over what the result can reach. features:
-        'smooth', or 'sharp', which keeps edges and corners. The cell array 'Operand' says which mesh
-        a face lies on: 0 is this one. transfer_attributes and nearest_cells are as in surface();
-        'NearestBlock' is 1 for this mesh. The options are for all meshes.
+        as in surface(). The cell array 'Operand' says which mesh a face lies on: 0 is this one.
+        transfer_attributes and nearest_cells are as in surface(); 'NearestBlock' is 1 for this
+        mesh. The options are for all meshes.
         """
         return self._boolean("union", other, features, progress_bar, options,
                              transfer_attributes, nearest_cells, dimensions=dimensions,

@@ -438,9 +438,9 @@ class Field:
                 ) -> tuple[FloatArray, IdArray]:
         """The surface w = threshold: vertices (V, 3) and faces (F, 3).
 
-        The grid is laid out as in field(). features: 'smooth', or 'sharp', which keeps edges and
-        corners. The vertices have the given dtype: float32, float64, or None for float64 only where
-        float32 could not tell places apart.
+        The grid is laid out as in field(). features: 'smooth'; 'sharp', which keeps edges and
+        corners; or 'voxels', the sides of voxels. The vertices have the given dtype: float32,
+        float64, or None for float64 only where float32 could not tell places apart.
 
         fill_cavities makes inside what the outside does not reach. offset is the length by which
         the surface moves outward, inward if negative. shell is the thickness of the shell that

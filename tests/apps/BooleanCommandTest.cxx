@@ -1,15 +1,22 @@
+#include "apps/Images.h"
 #include "apps/Inputs.h"
 #include "apps/RunProgram.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkXMLImageDataReader.h"
 #include "vtkXMLPolyDataReader.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace
 {
@@ -77,6 +84,38 @@ TEST_F(BooleanCommand, MakesClosedSurfacesInEveryFormat)
   }
 }
 
+/// The image, in every format, and the surface of its voxels have one volume.
+TEST_F(BooleanCommand, WritesVoxelsAndImages)
+{
+  const nlohmann::json voxels =
+    this->checked({"--operation", "difference", "--features", "voxels", "--triangles"});
+  EXPECT_EQ(voxels["closed"], true);
+  EXPECT_NEAR(voxels["volume"], volumeOfSphere - volumeOfLens, 0.03);
+  const auto write = [this](const std::string& name)
+  {
+    const Outcome run = runProgram({"boolean", a, b, "-o", folder.path(name), "--operation",
+      "difference", "--resolution", "40"});
+    EXPECT_EQ(run.status, 0) << run;
+    return folder.path(name);
+  };
+  vtkNew<vtkXMLImageDataReader> reader;
+  reader->SetFileName(write("image.vti").c_str());
+  reader->Update();
+  vtkImageData* const image = reader->GetOutput();
+  auto* const inside =
+    vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetArray("Inside"));
+  ASSERT_NE(inside, nullptr);
+  const auto count = static_cast<std::size_t>(inside->GetNumberOfValues());
+  const std::string bytes(reinterpret_cast<const char*>(inside->GetPointer(0)), count);
+  const auto voxelsInside = std::count(bytes.begin(), bytes.end(), '\1');
+  const double side = image->GetSpacing()[0];
+  EXPECT_NEAR(voxels["volume"], static_cast<double>(voxelsInside) * side * side * side, 1e-4);
+  for (const std::string suffix : {"mha", "nrrd", "nii", "nii.gz"})
+  {
+    EXPECT_TRUE(voxelsOf(write("image." + suffix), count) == bytes) << suffix;
+  }
+}
+
 TEST_F(BooleanCommand, TellsTheOperandOfEachFace)
 {
   this->checked({}, "vtp");
@@ -122,7 +161,11 @@ TEST_F(BooleanCommand, RefusesWhatItCannotDo)
     "--rules has 3 for 2 inputs; give as many, or leave it out");
   expectRefused({"boolean", a, b, "-o", out, "--operation", "sum"},
     "sum is not one of union | intersection | difference | xor");
-  expectRefused({"boolean", a, b, "-o", folder.path("out.vti")}, "boolean writes");
+  expectRefused({"boolean", a, b, "-o", folder.path("out.pvti")}, "boolean writes");
+  expectRefused({"boolean", a, b, "-o", folder.path("out.nii"), "--features", "voxels"},
+    "--features is for surfaces, and .nii holds an image; give the output the suffix .vtp");
+  expectRefused({"surface", a, "-o", folder.path("out.vti"), "--fidelity", "9"},
+    "--fidelity is for surfaces, and .vti holds an image; give the output the suffix .vtp");
 }
 
 TEST_F(BooleanCommand, WarnsOfAnEmptyResult)

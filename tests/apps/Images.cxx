@@ -1,6 +1,10 @@
 #include "apps/Images.h"
 
+#include "apps/RunProgram.h"
+
 #include "vtk_zlib.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -198,4 +202,28 @@ std::string asRectilinearGrid()
 {
   return grid("RectilinearGrid",
     "<Coordinates>" + doubles("0 2", 1) + doubles("0 3", 1) + doubles("0 4", 1) + "</Coordinates>");
+}
+
+std::string voxelsOf(const std::string& fileName, std::size_t bytes)
+{
+  const std::string contents = contentsOf(fileName);
+  const auto endsWith = [&fileName](const std::string& end)
+  {
+    return fileName.size() > end.size() &&
+           fileName.compare(fileName.size() - end.size(), end.size(), end) == 0;
+  };
+  if (endsWith(".mha"))
+  {
+    const std::string last = "ElementDataFile = LOCAL\n";
+    const std::string packed = contents.substr(contents.find(last) + last.size());
+    const std::string size = "CompressedDataSize = " + std::to_string(packed.size()) + " ";
+    EXPECT_NE(contents.find(size), std::string::npos) << contents.substr(0, 300);
+    return unpackedAny(packed, bytes);
+  }
+  if (endsWith(".nrrd"))
+  {
+    return unpackedAny(contents.substr(contents.find("\n\n") + 2), bytes);
+  }
+  constexpr std::size_t header = 352;
+  return (endsWith(".gz") ? unpackedAny(contents, header + bytes) : contents).substr(header);
 }

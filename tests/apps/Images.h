@@ -37,3 +37,6 @@ std::string unpackedAny(const std::string& packed, std::size_t most);
 std::string asCurvedGrid();
 std::string asRectilinearGrid();
 ///@}
+
+/// Returns the bytes of the voxels in a medical image that the program has written.
+std::string voxelsOf(const std::string& fileName, std::size_t bytes);

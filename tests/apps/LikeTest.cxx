@@ -57,31 +57,6 @@ void expectPlace(vtkImageData* image, bool isTurned, double tolerance)
   }
 }
 
-/// The bytes of the voxels in a file that the program has written.
-std::string voxelsOf(const std::string& fileName, std::size_t bytes)
-{
-  const std::string contents = contentsOf(fileName);
-  const auto endsWith = [&fileName](const std::string& end)
-  {
-    return fileName.size() > end.size() &&
-           fileName.compare(fileName.size() - end.size(), end.size(), end) == 0;
-  };
-  if (endsWith(".mha"))
-  {
-    const std::string last = "ElementDataFile = LOCAL\n";
-    const std::string packed = contents.substr(contents.find(last) + last.size());
-    const std::string size = "CompressedDataSize = " + std::to_string(packed.size()) + " ";
-    EXPECT_NE(contents.find(size), std::string::npos) << contents.substr(0, 300);
-    return unpackedAny(packed, bytes);
-  }
-  if (endsWith(".nrrd"))
-  {
-    return unpackedAny(contents.substr(contents.find("\n\n") + 2), bytes);
-  }
-  constexpr std::size_t header = 352;
-  return (endsWith(".gz") ? unpackedAny(contents, header + bytes) : contents).substr(header);
-}
-
 TEST(Like, MasksLieOnTheVeryImageInEveryFormat)
 {
   for (const Head& head : heads())
@@ -342,7 +317,7 @@ TEST(Like, WhatMakesNoSenseIsRefused)
   refuses({"field", in, "-o", mha, "--cells"}, 1, "--cells");
   refuses({"field", in, "-o", mha, "--pieces", "2"}, 1, "--pieces");
   refuses({"labels", in, "-o", mha, "--count"}, 1, "--count adds an array");
-  refuses({"surface", in, "-o", mha}, 1, ".stl");
+  refuses({"surface", in, "-o", mha, "--distance"}, 1, "--distance is for surfaces");
   std::string askew = asMetaImage();
   const std::string key = "TransformMatrix = ";
   askew.replace(askew.find(key), key.size(), key + "1 0.1 0 0 1 0 0 0 1\nx = ");

@@ -371,7 +371,7 @@ TEST(SurfaceCommand, RefusesOptionsOfSharpSurfacesElsewhere)
     EXPECT_EQ(run.status, 1) << run;
     EXPECT_NE(run.err.find(part), std::string::npos) << run;
   };
-  refused({"--triangles"}, "--triangles is for --features sharp; say that, too, or leave it out");
+  refused({"--triangles"}, "--triangles is for --features sharp or voxels; say that, too");
   refused({"--fidelity", "-1"}, "--fidelity is -1; give 0 or more");
   refused({"--shell", "-1"}, "--shell is -1; give 0 or more");
   refused({"--shell-side", "outward"}, "--shell-side is for --shell; say that, too");

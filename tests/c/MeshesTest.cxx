@@ -113,6 +113,21 @@ TEST(LevelSurface, KeepsEdgesIfItIsSharp)
   EXPECT_EQ(show(cut).corner_count, 3 * show(cut).polygon_count);
 }
 
+TEST(LevelSurface, HasTheSidesOfVoxels)
+{
+  const Field field = fieldOf(shapes::cube());
+  const winding_grid grid = gridAround({-0.3, -0.3, -0.3}, {1.3, 1.3, 1.3}, 16);
+  auto options = with(winding_surface_options_init);
+  options.features = WINDING_FEATURES_VOXELS;
+  const OwnedMesh voxels = surfaceOf(field, grid, options);
+  EXPECT_EQ(show(voxels).polygon_count, 6 * 10 * 10);
+  EXPECT_NEAR(closedVolumeOf(show(voxels)), std::pow(10 * grid.spacing[0], 3), 1e-5);
+  options.features = WINDING_FEATURES_VOXELS + 1;
+  winding_mesh* mesh = nullptr;
+  EXPECT_EQ(winding_level_surface(field.get(), &grid, nullptr, &options, nullptr, &mesh, nullptr),
+    WINDING_REFUSED);
+}
+
 TEST(LevelSurface, MovesAndBecomesAShell)
 {
   const Field field = fieldOf(shapes::cube());
@@ -157,8 +172,7 @@ TEST(LevelSurface, MovesAndBecomesAShell)
   {
     options.shell = wrong;
     winding_mesh* mesh = nullptr;
-    EXPECT_EQ(
-      winding_level_surface(field.get(), &grid, nullptr, &options, nullptr, &mesh, nullptr),
+    EXPECT_EQ(winding_level_surface(field.get(), &grid, nullptr, &options, nullptr, &mesh, nullptr),
       WINDING_REFUSED);
   }
 }

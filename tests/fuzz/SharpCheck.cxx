@@ -45,7 +45,7 @@ struct Sharp
     }
     roots->addGradients(executor);
     mesh = std::make_unique<DualMesh>(grid, edges, executor);
-    vertices = std::make_unique<SharpVertices>(grid, edges, roots->roots(), *mesh, executor);
+    vertices = std::make_unique<SharpVertices>(grid, edges, &roots->roots(), *mesh, executor);
   }
 
   LevelEdges edges;

@@ -215,7 +215,7 @@ ENUMERATIONS = {
     "Method": {"Automatic": 0, "Rows": 1, "Hierarchical": 2, "Direct Sum": 3, "Ray Parity": 4},
     "InsideRule": {"Signed": 0, "Absolute": 1, "Odd": 2},
     "PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2, "Array": 3},
-    "Features": {"Smooth": 0, "Sharp": 1},
+    "Features": {"Smooth": 0, "Sharp": 1, "Voxels": 2},
     "ShellSide": {"Inward": 0, "Outward": 1, "Centered": 2},
     "Operation": {"Union": 0, "Intersection": 1, "Difference": 2, "Symmetric Difference": 3},
     "NormalEstimation": {"Automatic": 0, "Spanning Tree": 1, "Winding Consistent": 2},

@@ -220,7 +220,7 @@ class AccessorTest(Warned):
         self.assertIn("Normals", sharp.cell_data)
         self.assertAlmostEqual(sharp.volume, 1, delta=0.002)  # 0.0016: vertices stay in their cells
         self.assertLess(smooth.volume, 0.997)  # edges are cut off
-        with self.assertRaisesRegex(ValueError, "features must be one of smooth, sharp"):
+        with self.assertRaisesRegex(ValueError, "features must be one of smooth, sharp, voxels"):
             cube.winding.surface(features="keen")
 
     def test_interior_points(self):

@@ -163,7 +163,16 @@ class ValuesTest(unittest.TestCase):
             return max(np.linalg.norm(vertices - corner, axis=1).min() for corner in CORNERS)
         self.assertLess(farthest("sharp"), 1e-6)
         self.assertGreater(farthest("smooth"), 0.01)
-        with self.assertRaisesRegex(ValueError, "features must be one of smooth, sharp"):
+
+    def test_voxels(self):
+        vertices, faces = surface(CORNERS, CUBE, bounds=3 * [-0.25, 1.25], spacing=0.25,
+                                  features="voxels")
+        a, b, c = vertices[faces].astype(float).transpose(1, 0, 2)
+        inside = round((np.cross(a, b) * c).sum() / 6 / 0.25**3)
+        self.assertEqual(inside, 4**3)
+        steps = (vertices - vertices[0]) / 0.25
+        np.testing.assert_allclose(steps, np.round(steps), atol=1e-5)
+        with self.assertRaisesRegex(ValueError, "features must be one of smooth, sharp, voxels"):
             surface(CORNERS, CUBE, features="keen")
 
     def test_options_reach_the_filter(self):

@@ -228,7 +228,7 @@ TEST_F(PropertyRanges, OfTheSurface)
   expectPropertiesOfGridsRefused(filter);
   EXPECT_REFUSED(filter, OutputPointsPrecision,
     choices("SINGLE_PRECISION (0), DOUBLE_PRECISION (1) or DEFAULT_PRECISION (2)", 3));
-  EXPECT_REFUSED(filter, Features, choices("SMOOTH (0) or SHARP (1)", 2));
+  EXPECT_REFUSED(filter, Features, choices("SMOOTH (0), SHARP (1) or VOXELS (2)", 3));
   EXPECT_REFUSED(filter, FidelitySamples, negative);
   expectWorking(surface);
 }
@@ -244,7 +244,7 @@ TEST_F(PropertyRanges, OfTheBoolean)
   expectPropertiesOfGridsRefused(filter);
   EXPECT_REFUSED(filter, Operation,
     choices("UNION (0), INTERSECTION (1), DIFFERENCE (2) or SYMMETRIC_DIFFERENCE (3)", 4));
-  EXPECT_REFUSED(filter, Features, choices("SMOOTH (0) or SHARP (1)", 2));
+  EXPECT_REFUSED(filter, Features, choices("SMOOTH (0), SHARP (1) or VOXELS (2)", 3));
   expectWorking(boolean);
 }
 

@@ -179,8 +179,7 @@ TEST_F(Shape, FillsCavities)
   EXPECT_NEAR(this->volumeOf(hollow), volumeOfBall(1) - volumeOfBall(0.5), 0.03);
   filter->FillCavitiesOn();
   EXPECT_NEAR(this->volumeOf(hollow), volumeOfBall(1), 0.03);
-  EXPECT_EQ(
-    filter->GetOutput()->GetFieldData()->GetArray("FilledCavities")->GetTuple1(0), 1);
+  EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("FilledCavities")->GetTuple1(0), 1);
   filter->SetShell(0.7);
   EXPECT_NEAR(this->volumeOf(hollow), volumeOfBall(1) - volumeOfBall(0.3), 0.03);
   EXPECT_EQ(this->base(), "surface");

@@ -130,16 +130,21 @@ void FieldRun::checkOutput() const
   {
     const vtkNew<vtkImageData> image;
     image->SetExtent(this->wholeExtent().data());
-    image->CopyInformationFromPipeline(filter_.GetOutputInformation(0));
+    image->CopyInformationFromPipeline(this->imageInformation());
     checkMedicalImage({image.Get(), like_.space, like_.unit}, options_.output, messages_);
   }
+}
+
+/// Returns the pipeline's information on the image: the only output, or the one after a surface.
+vtkInformation* FieldRun::imageInformation() const
+{
+  return filter_.GetOutputInformation(filter_.GetNumberOfOutputPorts() - 1);
 }
 
 SlabExtent FieldRun::wholeExtent() const
 {
   SlabExtent extent;
-  filter_.GetOutputInformation(0)->Get(
-    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent.data());
+  this->imageInformation()->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent.data());
   return extent;
 }
 

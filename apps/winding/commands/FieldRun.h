@@ -64,6 +64,7 @@ private:
   void startExecution();
   void addExecution();
   void warnOfPieces(std::size_t most) const;
+  vtkInformation* imageInformation() const;
   SlabExtent wholeExtent() const;
   void checkPiecesKeepDirections() const;
   void checkOutput() const;

@@ -93,11 +93,6 @@ void warnOfNames(const Json& labels, const Options& options, Messages& messages)
   }
 }
 
-bool isImage(const std::string& suffix)
-{
-  return suffix == ".vti" || isMedical(suffix);
-}
-
 /// Adds to the report what the solids are, and prints it. The image is the filter's own, or the
 /// whole one that the first rank has gathered.
 void report(

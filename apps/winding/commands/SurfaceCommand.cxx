@@ -7,6 +7,7 @@
 #include "output/OutputFile.h"
 #include "program/Messages.h"
 
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkWindingNumberBoolean.h"
@@ -15,7 +16,8 @@
 namespace
 {
 
-/// Makes and writes the surface of a filter that has all options of its own.
+/// Makes and writes the surface of a filter that has all options of its own, or the image of what
+/// is inside.
 void writeSurface(
   vtkWindingNumberSurfaceAlgorithm& filter, const Options& given, Messages& messages)
 {
@@ -30,9 +32,18 @@ void writeSurface(
   filter.SetCloseBorder(options.closeBorder);
   filter.SetTransferAttributes(options.transferAttributes);
   filter.SetGenerateNearestCells(options.nearestCells);
+  const bool asImage = isImage(suffixOf(options.output));
+  filter.SetGenerateImage(asImage);
   FieldRun run(filter, options, messages);
   run.update();
-  writeResult(run, filter.GetOutput(), output.get());
+  if (asImage)
+  {
+    writeResult(run, filter.GetImage(), output.get());
+  }
+  else
+  {
+    writeResult(run, filter.GetOutput(), output.get());
+  }
   run.printReport();
 }
 

@@ -118,10 +118,10 @@ void writeResult(FieldRun& run, vtkImageData* image, OutputFile* file)
       {
         // The formats have one array.
         const Options& options = run.options();
-        const bool isMask = options.command == "voxels" || options.insideOnly;
+        const bool isField = options.command == "field" && !options.insideOnly;
         const std::string array = options.command == "labels" ? "Label"
-                                  : isMask                    ? "Inside"
-                                                              : options.array;
+                                  : isField                   ? options.array
+                                                              : "Inside";
         image->GetPointData()->SetActiveScalars(array.c_str());
         writeMedicalImage({image, run.like().space, run.like().unit}, *file);
       }

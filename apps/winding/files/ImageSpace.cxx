@@ -85,3 +85,8 @@ bool isMedical(const std::string& suffix)
   const char* const suffixes[] = {".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".nii.gz"};
   return std::find(std::begin(suffixes), std::end(suffixes), suffix) != std::end(suffixes);
 }
+
+bool isImage(const std::string& suffix)
+{
+  return suffix == ".vti" || isMedical(suffix);
+}

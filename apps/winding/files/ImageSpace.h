@@ -52,3 +52,6 @@ struct PlacedImage
 /// Whether a suffix is a medical image's: .mha .nrrd .nii .nii.gz, or .mhd or .nhdr, which are
 /// headers of images in other files and are read only.
 bool isMedical(const std::string& suffix);
+
+/// Whether a suffix says that a file is one image: .vti, or a medical image's.
+bool isImage(const std::string& suffix);

@@ -20,6 +20,8 @@ namespace
 
 constexpr const char* surfaceFormats = ".vtp .ply .stl .obj";
 constexpr const char* medicalFormats = ".mha .nrrd .nii .nii.gz";
+constexpr const char* solidFormats =
+  ".vtp .ply .stl .obj; or what is inside as an image: .vti .mha .nrrd .nii .nii.gz";
 
 CLI::App* addCommand(
   CLI::App& app, Options& options, const std::string& name, const std::string& description)
@@ -72,7 +74,7 @@ void addSurface(CLI::App& app, Options& options)
 {
   CLI::App* surface =
     addCommand(app, options, "surface", "Smooth surface where the winding field is the threshold");
-  addOutput(surface, options, surfaceFormats);
+  addOutput(surface, options, solidFormats);
   addThreshold(surface, options);
   addFeatures(surface, options);
   addShape(surface, options);
@@ -88,7 +90,7 @@ void addBoolean(CLI::App& app, Options& options)
 {
   CLI::App* boolean =
     addCommand(app, options, "boolean", "Union, intersection or difference of solids");
-  addOutput(boolean, options, surfaceFormats);
+  addOutput(boolean, options, solidFormats);
   boolean
     ->add_option("--operation", options.operation,
       "What to keep: union | intersection | difference, the first without the others | xor, what "
@@ -368,6 +370,11 @@ std::optional<Options> parseCommandLine(int argc, char** argv)
   }
   options.input = nameOfAll(options.inputs);
   checkRanges(*command);
-  checkOptions(options, [command](const char* option) { return command->count(option) > 0; });
+  checkOptions(options,
+    [command](const char* name)
+    {
+      const CLI::Option* option = command->get_option_no_throw(name);
+      return option && option->count() > 0;
+    });
   return options;
 }

@@ -126,8 +126,8 @@ void checkMethod(const Options& options, const WasGiven& wasGiven)
     "--areas mesh is for meshes taken as points; say --points, too");
   requireUsage(options.rule != Filter::ODD || !wasGiven("--threshold"),
     "--rule odd has no threshold; leave --threshold out");
-  requireUsage(!options.triangles || options.features == vtkWindingNumberSurface::SHARP,
-    "--triangles is for --features sharp; say that, too, or leave it out");
+  requireUsage(!options.triangles || options.features != vtkWindingNumberSurface::SMOOTH,
+    "--triangles is for --features sharp or voxels; say that, too, or leave it out");
   requireUsage(options.command != "surface" || options.shell > 0 || !wasGiven("--shell-side"),
     "--shell-side is for --shell; say that, too, or leave it out");
 }
@@ -252,6 +252,23 @@ void checkLabels(const Options& options, const WasGiven& wasGiven)
     "--pieces is for images; give the output the suffix .vti or .pvti, or leave it out");
 }
 
+/// Refuses what an image of the samples has no place for.
+void checkImageOfSolid(const Options& options, const WasGiven& wasGiven)
+{
+  if (!isImage(suffixOf(options.output)))
+  {
+    return;
+  }
+  for (const char* const option : {"--features", "--triangles", "--close-border", "--double",
+         "--fidelity", "--distance", "--nearest-cells", "--transfer-attributes"})
+  {
+    requireUsage(!wasGiven(option), std::string(option) + " is for surfaces, and " +
+                                      suffixOf(options.output) +
+                                      " holds an image; give the output the suffix .vtp or leave "
+                                      "it out");
+  }
+}
+
 void checkBoolean(const Options& options)
 {
   const std::size_t inputs = options.inputs.size();
@@ -345,6 +362,11 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
     if (options.command == "voxels")
     {
       suffixes = both(both(suffixes, {".htg"}), medicalSuffixes);
+    }
+    else
+    {
+      suffixes = both(both(suffixes, {".vti"}), medicalSuffixes);
+      checkImageOfSolid(options, wasGiven);
     }
     checkOutput(options.output, options.command, suffixes);
     checkMedical(options);

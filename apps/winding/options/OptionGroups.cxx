@@ -317,14 +317,15 @@ void addFeatures(CLI::App* command, Options& options)
 {
   command
     ->add_option("--features", options.features,
-      "Edges of the source: smooth, cut off inside of voxels | sharp, kept (smooth)")
-    ->transform(oneOf(
-      {{"smooth", vtkWindingNumberSurface::SMOOTH}, {"sharp", vtkWindingNumberSurface::SHARP}}))
+      "Edges of the source: smooth, cut off inside of voxels | sharp, kept | voxels, a surface of "
+      "the sides of voxels (smooth)")
+    ->transform(oneOf({{"smooth", vtkWindingNumberSurface::SMOOTH},
+      {"sharp", vtkWindingNumberSurface::SHARP}, {"voxels", vtkWindingNumberSurface::VOXELS}}))
     ->type_name("NAME")
     ->group("Output");
   command
     ->add_flag("--triangles", options.triangles,
-      "With --features sharp: triangles only; without it, quads (but for .stl)")
+      "With --features sharp or voxels: triangles, not quads (.stl has no others)")
     ->group("Output");
   command
     ->add_flag("--close-border", options.closeBorder,

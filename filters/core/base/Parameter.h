@@ -76,6 +76,7 @@ enum class Parameter
   generateDistanceToInput,
   transferAttributes,
   generateNearestCells,
+  generateImage,
   fidelitySamples,
 
   // booleans

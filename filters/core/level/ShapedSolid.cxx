@@ -90,7 +90,7 @@ Surface surfaceOf(const Grid& grid, const LevelEdges& edges, const EdgeRoots& ro
   };
   if (isSharp)
   {
-    const SharpContour contour(grid, edges, roots, true, executor);
+    const SharpContour contour(grid, edges, &roots, true, executor);
     std::vector<std::int64_t> offsets(contour.polygons() + 1);
     ids.resize(contour.corners());
     contour.writePolygons(offsets.data(), ids.data(), executor);

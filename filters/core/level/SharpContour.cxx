@@ -12,7 +12,7 @@ constexpr std::size_t edgesPerBlock = 4096;
 
 } // namespace
 
-SharpContour::SharpContour(const Grid& grid, const LevelEdges& edges, const EdgeRoots& roots,
+SharpContour::SharpContour(const Grid& grid, const LevelEdges& edges, const EdgeRoots* roots,
   bool areTriangles, Executor& executor)
   : grid_(grid)
   , edges_(edges)

@@ -13,7 +13,8 @@ namespace winding
 
 /**
  * The surface between the inside and the outside samples of a grid, with sharp edges and corners:
- * the quads of a DualMesh, between SharpVertices, which face outward.
+ * the quads of a DualMesh, between SharpVertices, which face outward. Without roots it consists of
+ * the sides of voxels, which are boxes of one spacing around the samples.
  *
  * A quad begins with a corner of the diagonal that it is to be cut along (QuadSplit.h), so that
  * whoever cuts it into a fan of triangles does so along the better one. Where neither diagonal is
@@ -25,8 +26,9 @@ namespace winding
 class SharpContour
 {
 public:
-  /// Keeps references. `areTriangles` says whether to cut all quads.
-  SharpContour(const Grid& grid, const LevelEdges& edges, const EdgeRoots& roots, bool areTriangles,
+  /// Keeps references, and `roots`, which may be null. `areTriangles` says whether to cut all
+  /// quads.
+  SharpContour(const Grid& grid, const LevelEdges& edges, const EdgeRoots* roots, bool areTriangles,
     Executor& executor);
 
   std::size_t vertices() const { return mesh_.size() + fans_.size(); }
