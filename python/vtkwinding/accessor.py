@@ -190,7 +190,8 @@ class WindingAccessor:
               resolution: int | None = None, bounds: ArrayLike | None = None, padding: float = 0.05,
               inside: bool = False, signed_distance: bool = False, coverage: str = "center",
               distance_band: float | None = None, association: str = "point",
-              progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.ImageData:
+              nearest_cells: bool = False, progress_bar: bool = False,
+              **options: Unpack[SourceOptions]) -> pv.ImageData:
         """The winding number on a grid: ImageData with the array 'WindingNumber'.
 
         The grid is that of reference_volume, or has dimensions, voxels of a spacing (one number or
@@ -202,8 +203,10 @@ class WindingAccessor:
         coverage: 'center', 'any' or 'fraction' of a voxel has to be inside; the latter two add
             'Inside', and 'fraction' the array 'Coverage'.
         distance_band: voxels beyond which distances need not be exact.
+        nearest_cells: whether voxels get 'NearestCell' and 'NearestBlock', as in surface().
         """
         _check_source("the mesh", self._mesh)
+        nearest = self._attributes(self._mesh, False, nearest_cells, options)
         at_cells = _options.choice("association", association, _options.ASSOCIATIONS) == 1
         cover = _options.choice("coverage", coverage, _options.COVERAGES)
         band = 0 if distance_band is None else _options.number("distance_band", distance_band, 0)
@@ -234,6 +237,11 @@ class WindingAccessor:
                            ("inside", "Inside"), ("fractions", "Coverage")):
             if kind in values:
                 target[name] = values[kind]
+        if nearest is not None:
+            with bar(progress_bar, "Finding nearest cells") as show:
+                places = _parts.centres_of(image) if at_cells else _parts.points_of(image)
+                for name, numbers in nearest.numbers_at(places, show).items():
+                    target[name] = numbers
         image.set_active_scalars("WindingNumber", association)
         return image
 
@@ -544,14 +552,15 @@ class WindingAccessor:
 
     @_with_options
     def sample(self, surface: pv.DataObject, *, association: str = "point",
-               fraction: bool = False, progress_bar: bool = False,
+               fraction: bool = False, nearest_cells: bool = False, progress_bar: bool = False,
                **options: Unpack[SourceOptions]) -> pv.DataObject:
         """A copy with the array 'WindingNumber' of a surface, at the points of this mesh or at the
         centres of its cells.
 
         fraction adds the cell array 'Fraction', the share of each cell that is inside: for closed
         surfaces, shares times volumes add up to the volume of what is inside. A cell without volume
-        has 1 or 0, as its middle is inside or not.
+        has 1 or 0, as its middle is inside or not. nearest_cells adds 'NearestCell' and
+        'NearestBlock' of the surface, as in surface().
         """
         adds_fractions = _options.flag("fraction", fraction)
         values = self._probe(surface, {"winding": np.dtype("f4")}, progress_bar,
@@ -559,6 +568,15 @@ class WindingAccessor:
         copy = _fill(_copied(self._mesh), values, {"WindingNumber": "winding"}, association)
         if adds_fractions:
             self._add_fractions(copy, surface, progress_bar, options)
+        nearest = self._attributes(surface, False, nearest_cells, options)
+        if nearest is not None:
+            at_cells = association == "cell"
+            for leaf in (leaf for leaf in _leaves(copy) if isinstance(leaf, pv.DataSet)):
+                places = _parts.centres_of(leaf) if at_cells else _parts.points_of(leaf)
+                target = leaf.cell_data if at_cells else leaf.point_data
+                with bar(progress_bar, "Finding nearest cells") as show:
+                    for name, numbers in nearest.numbers_at(places, show).items():
+                        target[name] = numbers
         return copy
 
     def _add_fractions(self, copy, surface, progress_bar, options):

@@ -84,6 +84,23 @@ class AccessorTest(Warned):
         self.assertNotIn("RGB", plain.point_data)
         self.assertNotIn("NearestCell", plain.point_data)
 
+    def test_samples_get_ids_of_nearest_cells(self):
+        mesh, wishes = ball(20), {"nearest_cells": True}
+        middles = mesh.cell_centers().points
+        for association in ("point", "cell"):
+            image = mesh.winding.field(resolution=9, association=association, **wishes)
+            probed = image.winding.sample(mesh, association=association, **wishes)
+            places = image.points if association == "point" else image.cell_centers().points
+            found = getattr(image, f"{association}_data")["NearestCell"]
+            same = getattr(probed, f"{association}_data")["NearestCell"]
+            np.testing.assert_array_equal(found, same)
+            # The nearest triangle of a ball is not far from the one with the nearest middle.
+            gap = np.linalg.norm(places[:, None] - middles[None], axis=2)
+            self.assertLess((gap[np.arange(len(found)), found] - gap.min(axis=1)).max(), 0.05)
+        blocks = pv.MultiBlock([mesh, mesh.translate((3, 0, 0))])
+        image = blocks.winding.field(resolution=9, **wishes)
+        self.assertEqual(set(image["NearestBlock"]), {1, 2})
+
     def test_all_arguments_have_types(self):
         kind = type(ball().winding)
         for name in (name for name in vars(kind) if not name.startswith("_")):
