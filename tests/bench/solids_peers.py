@@ -1,18 +1,25 @@
-"""Compares booleans and offsets of closed meshes with those of other programs.
+"""Compares booleans and offsets with those of other programs.
 
-Usage: solids_peers.py booleans|offsets <winding> <resolution> <mesh>…
+Usage: solids_peers.py booleans|broken|offsets <winding> <resolution> <mesh>…
 
-Meshes are .stl, .obj or .ply, and closed. For booleans up to 20 pairs of them are made equally
-large, and the second is turned and moved at random. The union, the intersection and the difference
-of each pair are compared with manifold3d's, which is exact for meshes that are manifold. Beside its
-seconds stand those of MeshLib and of VTK's own filter, with what these return. For offsets the
-distance is 2 % of the longest side, outward and inward, and MeshLib's offsets have voxels of the
-same size.
+booleans: meshes are closed. Up to 20 pairs of them are made equally large, and the second is turned
+and moved at random. The union, the intersection and the difference of each pair are compared with
+manifold3d's, which is exact for meshes that are manifold. Beside its seconds stand those of MeshLib
+and of VTK's own filter, with what these return.
+
+broken: meshes and clouds are as they come. Each is combined with a box, turned at random, and
+united with itself. 2000 points are counted that are on the wrong side by the winding numbers of the
+operands, and such that are farther than half a voxel from the result.
+
+offsets: meshes are closed. The distance is 2 % of the longest side, outward and inward. MeshLib's
+offsets have voxels of the same size. CGAL's alpha wrapping, which goes outward only, has an alpha of
+twice that; it is there if `alpha_wrap` (AlphaWrap.cxx) lies beside `winding`.
 
 For each result it prints its edges with other than two faces and the distances of 20 000 points of
 it, evenly distributed, from the exact result, or off the offset: p50, p99 and the largest, in
-voxels; for booleans the error of its volume, too. Seconds are those of the whole program for `winding`, and without
-files for all others. Needs NumPy, VTK, manifold3d and meshlib.
+voxels; for booleans the error of its volume, too. Seconds are those of the whole program for
+`winding`, and without files for all others. Meshes are .stl, .obj or .ply. Needs NumPy, VTK,
+manifold3d and meshlib.
 """
 
 import itertools
@@ -42,8 +49,12 @@ class Solid(Mesh):
         self.points, self.triangles = np.asarray(points, float), np.asarray(triangles)
 
     @classmethod
-    def of_data(cls, path):
-        mesh = Mesh(read(path))
+    def of_path(cls, path):
+        return cls.of_data(read(path))
+
+    @classmethod
+    def of_data(cls, data):
+        mesh = Mesh(data)
         return cls(mesh.points, mesh.triangles)
 
     @classmethod
@@ -148,22 +159,106 @@ def booleans(program, resolution, paths, folder):
                 seconds = run(program, "boolean", f"{folder}/a.obj", f"{folder}/b.obj", "-o",
                               f"{folder}/out.ply", "--operation", operation, "--resolution",
                               resolution, *more)
-                found = Solid.of_data(f"{folder}/out.ply")
+                found = Solid.of_path(f"{folder}/out.ply")
                 distances = exact.distances(found.sampled()) / voxel
                 print(f"    {features:6} {seconds:.2f} s; "
                       f"volume {found.volume() / exact.volume() - 1:+.1e}; "
                       f"{found.row(distances)}", flush=True)
 
 
+def box_over(data, random):
+    """A turned box over about half of a data set."""
+    low, high = np.array(data.GetBounds()).reshape(3, 2).T
+    cube = vtk.vtkCubeSource()
+    cube.SetXLength(1)
+    cube.Update()
+    box = Solid.of_data(cube.GetOutput())
+    turn, _ = np.linalg.qr(random.normal(size=(3, 3)))
+    turn *= np.sign(np.linalg.det(turn))
+    side = (high - low).max()
+    shift = (low + high) / 2 + random.uniform(0.2, 0.4, 3) * (high - low)
+    return Solid(0.9 * side * box.points @ turn.T + shift, box.triangles)
+
+
+def sides(program, source, places, folder):
+    """Whether places are inside of a source, by its winding number."""
+    run(program, "probe", source, places, "-o", f"{folder}/sides.csv")
+    return np.genfromtxt(f"{folder}/sides.csv", delimiter=",", names=True)["WindingNumber"] >= 0.5
+
+
+def verdict_of_manifold(a, b):
+    for name, solid in (("the mesh", a), ("the box", b)):
+        if solid is None:
+            return "has no place for points"
+        status = solid.as_manifold().status()
+        if status != manifold3d.Error.NoError:
+            return f"refuses {name}: {str(status).rpartition('.')[2]}"
+    return "takes both"
+
+
+def broken(program, resolution, paths, folder):
+    random = np.random.default_rng(7)
+    for path in paths:
+        data = read(path)
+        is_cloud = data.GetNumberOfPolys() == 0
+        a = None if is_cloud else Solid.of_path(path)
+        b = box_over(data, random)
+        b.write(f"{folder}/box.obj")
+        low, high = np.array(data.GetBounds()).reshape(3, 2).T
+        margin = 0.05 * (high - low).max()
+        places = random.uniform(low - margin, high + margin, (2000, 3))
+        np.savetxt(f"{folder}/places.csv", places, delimiter=",", header="x,y,z", comments="")
+        in_a, in_b = (sides(program, source, f"{folder}/places.csv", folder)
+                      for source in (path, f"{folder}/box.obj"))
+        print(f"{pathlib.Path(path).name}; manifold3d {verdict_of_manifold(a, b)}")
+        for operation, other, inside in (
+                ("union", f"{folder}/box.obj", in_a | in_b),
+                ("intersection", f"{folder}/box.obj", in_a & in_b),
+                ("difference", f"{folder}/box.obj", in_a & ~in_b), ("union", path, in_a)):
+            name = f"{operation} with {'itself' if other == path else 'a box'}"
+            seconds = run(program, "boolean", path, other, "-o", f"{folder}/out.ply",
+                          "--operation", operation, "--resolution", resolution)
+            found = Solid.of_path(f"{folder}/out.ply")
+            voxel = np.ptp(found.points, axis=0).max() / int(resolution)
+            wrong = sides(program, f"{folder}/out.ply", f"{folder}/places.csv", folder) != inside
+            far = int((found.distances(places[wrong]) > 0.5 * voxel).sum())
+            print(f"  {name}: {seconds:.2f} s, bad edges {found.bad_edges()}, wrong side "
+                  f"{wrong.sum()} of 2000, {far} of them far", flush=True)
+            if not is_cloud:
+                both = (a, a if other == path else b)
+                print(f"    MeshLib {by_meshlib(*both, operation)}; VTK "
+                      f"{by_vtk(*both, operation)}", flush=True)
+
+
+def wrapped(program, source, alpha, offset, folder):
+    """The mesh of CGAL's alpha wrapping, and its seconds."""
+    lines = [f"OFF\n{len(source.points)} {len(source.triangles)} 0"]
+    lines += [" ".join(map(repr, point)) for point in source.points.tolist()]
+    lines += ["3 " + " ".join(map(str, ids)) for ids in source.triangles.tolist()]
+    pathlib.Path(f"{folder}/source.off").write_text("\n".join(lines) + "\n")
+    done = subprocess.run([program, f"{folder}/source.off", str(alpha), str(offset),
+                           f"{folder}/wrap.off"], capture_output=True, text=True, check=True)
+    lines = pathlib.Path(f"{folder}/wrap.off").read_text().split("\n")
+    points, faces = map(int, lines[1].split()[:2])
+    lines = [line for line in lines[2:] if line.strip()]
+    return Solid(np.array([line.split() for line in lines[:points]], float), np.array(
+        [line.split()[1:4] for line in lines[points:points + faces]], int)), float(done.stdout)
+
+
 def offsets(program, resolution, paths, folder):
+    wrap = pathlib.Path(program).with_name("alpha_wrap")
     for path in paths:
         source = Solid.of_file(path)
         source.write(f"{folder}/source.obj")
         for offset in (0.02, -0.02):
             voxel = 1.2 / int(resolution)
             print(f"{pathlib.Path(path).name}, {offset:+}, voxels of {voxel:.5f}")
-            for name in ("smooth", "sharp", "MeshLib"):
-                if name == "MeshLib":
+            for name in ("smooth", "sharp", "MeshLib", "CGAL"):
+                if name == "CGAL":
+                    if offset < 0 or not wrap.exists():
+                        continue
+                    found, seconds = wrapped(wrap, source, 2 * voxel, offset, folder)
+                elif name == "MeshLib":
                     begin = time.perf_counter()
                     parameters = mrmeshpy.GeneralOffsetParameters()
                     parameters.voxelSize = voxel
@@ -177,14 +272,14 @@ def offsets(program, resolution, paths, folder):
                     seconds = run(program, "surface", f"{folder}/source.obj", "-o",
                                   f"{folder}/out.ply", "--voxel-size", str(voxel),
                                   f"--offset={offset}", *more)
-                    found = Solid.of_data(f"{folder}/out.ply")
+                    found = Solid.of_path(f"{folder}/out.ply")
                 off = np.abs(source.distances(found.sampled()) - abs(offset)) / voxel
                 print(f"  {name:7} {seconds:.2f} s; {found.row(off)}", flush=True)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 5 or sys.argv[1] not in ("booleans", "offsets"):
+    works = {"booleans": booleans, "broken": broken, "offsets": offsets}
+    if len(sys.argv) < 5 or sys.argv[1] not in works:
         sys.exit(__doc__)
     with tempfile.TemporaryDirectory() as temporary:
-        work = booleans if sys.argv[1] == "booleans" else offsets
-        work(*sys.argv[2:4], sys.argv[4:], temporary)
+        works[sys.argv[1]](*sys.argv[2:4], sys.argv[4:], temporary)
