@@ -27,6 +27,8 @@ def jobs():
             winding.Job("out.vti", "labels", "in.off", "-o", "out.vti", "--resolution", 4,
                         "--overlap", "largest", *common),
             winding.Job("out.csv", "probe", "in.off", "queries.csv", "-o", "out.csv", *common),
+            winding.Job("out.vtu", "probe", "in.off", "cells.vtk", "-o", "out.vtu", "--fraction",
+                        *common),
             winding.Job("out.ply", "normals", "in.off", "-o", "out.ply", "--replace", *common)]
 
 
@@ -70,6 +72,7 @@ def check(program, folder, chance, runs, libraries, **_):
         places[0].mkdir()
         winding.sphere(places[0], rows=6)
         winding.queries(places[0], count=20)
+        winding.hexahedra(places[0], per_axis=2)
         new = winding.written_by(program, job, places[0])
         old = {job.output: b"what was there before\n"}
         _, count = allocations_of(program, places[0], libraries, job)

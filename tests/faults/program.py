@@ -57,6 +57,27 @@ def queries(folder, count=2000, name="queries.csv"):
     return path
 
 
+def hexahedra(folder, name="cells.vtk", per_axis=6):
+    """Writes the cells of a grid around the sphere, as legacy VTK."""
+    side = per_axis + 1
+    points = [[-1.1 + 2.2 * i / per_axis for i in (x, y, z)]
+              for z in range(side) for y in range(side) for x in range(side)]
+    cells = []
+    for first in (x + side * (y + side * z) for z in range(per_axis) for y in range(per_axis)
+                  for x in range(per_axis)):
+        ring = [first, first + 1, first + side + 1, first + side]
+        cells.append(ring + [corner + side * side for corner in ring])
+    lines = ["# vtk DataFile Version 2.0", name, "ASCII", "DATASET UNSTRUCTURED_GRID",
+             f"POINTS {len(points)} double"]
+    lines += [" ".join(f"{x:.9g}" for x in point) for point in points]
+    lines.append(f"CELLS {len(cells)} {9 * len(cells)}")
+    lines += [" ".join(map(str, [8, *cell])) for cell in cells]
+    lines += [f"CELL_TYPES {len(cells)}", *["12"] * len(cells)]
+    path = pathlib.Path(folder) / name
+    path.write_text("\n".join(lines) + "\n")
+    return path
+
+
 class Job:
     """A command of the program, and the file that it writes."""
 
@@ -101,6 +122,8 @@ def jobs(size=24):
         Job("out.vtp", "surface", "in.off", "-o", "out.vtp", "--distance", *grid),
         Job("out.csv", "probe", "in.off", "queries.csv", "-o", "out.csv", "--quiet"),
         Job("out.vtu", "probe", "in.off", "queries.csv", "-o", "out.vtu", "--quiet"),
+        Job("out.vtu", "probe", "in.off", "cells.vtk", "-o", "out.vtu", "--fraction", "--quiet"),
+        Job("out.nii.gz", "boolean", "in.off", "in.off", "-o", "out.nii.gz", *grid),
         Job("out.ply", "normals", "in.off", "-o", "out.ply", "--replace", "--quiet"),
         Job("out.csv", "normals", "in.off", "-o", "out.csv", "--quiet"),
         Job("out.vtm", "check", "in.off", "--blocks", "out.vtm", "--quiet"),
@@ -156,12 +179,14 @@ def written_by(program, job, folder):
 def put_inputs(folder):
     sphere(folder, "in.off", rows=24)
     queries(folder)
+    hexahedra(folder)
 
 
 def old_and_new(program, job, folder):
     """What a job writes for a smaller input, which stands for older results, and for its own."""
     sphere(folder, "in.off", rows=6, radius=0.7)
     queries(folder, count=50)
+    hexahedra(folder, per_axis=3)
     old = written_by(program, job, folder)
     put_inputs(folder)
     new = written_by(program, job, folder)

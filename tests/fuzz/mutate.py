@@ -181,7 +181,7 @@ def command_for(chance, name, other):
         output = "out" + chance.choice((".obj", ".stl", ".ply", ".vtp"))
         extra = chance.choice(([], ["--triangles"], ["--close-border"], ["--fidelity", "20"],
                                ["--distance"] if output == "out.vtp" else []))
-        sharp = ["--features", "sharp", *extra]
+        sharp = ["--features", chance.choice(("sharp", "sharp", "voxels")), *extra]
         return ["surface", name, "-o", output, *grid, *method, *cloud, *sharp], [output]
     if command == "boolean":
         output = "out" + chance.choice((".obj", ".stl", ".ply", ".vtp"))
@@ -190,6 +190,8 @@ def command_for(chance, name, other):
                                ["--transfer-attributes", "--nearest-cells"],
                                ["--thresholds", "0.3,1.5"], ["--verify", "20", "--json"]))
         pair = chance.choice(([name, other], [other, name], [name, name]))
+        if chance.random() < 0.2:
+            output, extra = "out" + chance.choice((".vti", ".mha", ".nrrd", ".nii")), []
         return ["boolean", *pair, "-o", output, "--operation", operation, *grid, *method, *cloud,
                 *extra], [output]
     if command == "labels":

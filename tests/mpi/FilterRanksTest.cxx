@@ -5,6 +5,7 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkHyperTreeGrid.h"
+#include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointAreas.h"
@@ -125,6 +126,7 @@ TEST(BooleanOnRanks, IsThatOfOneRankOnTheFirst)
       boolean->SetInputDataObject(1, partOfThis(tool));
       boolean->SetResolution(17);
       boolean->SetOperationToDifference();
+      boolean->GenerateImageOn();
       return boolean;
     };
     const auto expected = booleanOf(mesh, true);
@@ -134,13 +136,70 @@ TEST(BooleanOnRanks, IsThatOfOneRankOnTheFirst)
     if (rank() > 0)
     {
       EXPECT_EQ(found->GetOutput()->GetNumberOfCells(), 0);
+      EXPECT_EQ(found->GetImage()->GetNumberOfPoints(), 0);
       continue;
     }
+    expectSame(found->GetImage()->GetPointData()->GetArray("Inside"),
+      expected->GetImage()->GetPointData()->GetArray("Inside"));
     ASSERT_GT(expected->GetOutput()->GetNumberOfCells(), 0);
     expectSame(
       found->GetOutput()->GetPoints()->GetData(), expected->GetOutput()->GetPoints()->GetData());
     expectSame(found->GetOutput()->GetPolys()->GetConnectivityArray(),
       expected->GetOutput()->GetPolys()->GetConnectivityArray());
+  }
+}
+
+/// Cells of other ranks have no numbers here, so the whole source is needed, on all ranks.
+TEST(SurfaceOnRanks, TakesAttributesFromAWholeSourceOnly)
+{
+  const shapes::Mesh mesh = shapes::icosphere(2);
+  const auto surfaceOf = [](vtkPolyData* source, bool isAlone)
+  {
+    auto surface = filterOf<vtkWindingNumberSurface>(source, isAlone);
+    surface->SetResolution(9);
+    surface->GenerateNearestCellsOn();
+    return surface;
+  };
+  const auto expected = surfaceOf(partOf(mesh, whole, 0, 1), true);
+  expected->Update();
+  const auto copies = surfaceOf(partOf(mesh, whole, 0, 1), false);
+  copies->SetSourceDistribution(vtkWindingNumberSurface::REPLICATED);
+  updatePiece(copies);
+  if (rank() == 0)
+  {
+    expectSame(copies->GetOutput()->GetCellData()->GetArray("NearestCell"),
+      expected->GetOutput()->GetCellData()->GetArray("NearestCell"));
+  }
+  const auto parts = surfaceOf(partOf(mesh, deals()[0], rank(), ranks()), false);
+  const ErrorLog log(parts);
+  updatePiece(parts);
+  EXPECT_EQ(log.errors().find("cells of other ranks") == std::string::npos, ranks() == 1)
+    << log.errors();
+}
+
+/// The fractions of each rank's own cells are those of the whole source.
+TEST(ProbeOnRanks, GivesFractionsOfTheWholeSource)
+{
+  vtkNew<vtkImageData> image;
+  image->SetExtent(0, 5, 0, 6, rank(), rank() + 3);
+  image->SetOrigin(-1, -1.1, -1);
+  image->SetSpacing(0.37, 0.33, 0.41);
+  for (const auto& [name, mesh] : meshes())
+  {
+    SCOPED_TRACE(name);
+    const auto probeOf = [&](vtkPolyData* source, bool isAlone)
+    {
+      auto probe = filterOf<vtkWindingNumberProbe>(image, isAlone);
+      probe->SetSourceData(source);
+      probe->SetMethod(vtkWindingNumberProbe::DIRECT);
+      probe->GenerateFractionOn();
+      probe->Update();
+      return probe;
+    };
+    const auto expected = probeOf(partOf(mesh, whole, 0, 1), true);
+    const auto found = probeOf(partOf(mesh, deals()[0], rank(), ranks()), false);
+    expectSame(found->GetOutput()->GetCellData()->GetArray("Fraction"),
+      expected->GetOutput()->GetCellData()->GetArray("Fraction"));
   }
 }
 

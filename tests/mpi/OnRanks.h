@@ -47,7 +47,7 @@ inline int ranks()
 }
 
 /// The filter of this rank's part, or of the whole without the others.
-template <class Filter> vtkSmartPointer<Filter> filterOf(vtkPolyData* source, bool isAlone)
+template <class Filter> vtkSmartPointer<Filter> filterOf(vtkDataObject* source, bool isAlone)
 {
   auto filter = vtkSmartPointer<Filter>::New();
   filter->SetInputData(source);
