@@ -35,6 +35,7 @@ struct winding_mesh
   int colorComponents = 0;
   winding::UninitializedVector<float> textureCoordinates;
   std::int64_t filledCavities = 0;
+  winding::UninitializedVector<std::uint8_t> inside; ///< of samples
 
   ///@{
   /// The distances that a surface was made to have: from a tree of its own, or from the source.

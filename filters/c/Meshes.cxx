@@ -166,13 +166,18 @@ private:
   winding::EdgeRoots roots_ = winding::EdgeRoots(0);
 };
 
-/// Writes the surface that crosses edges. `findRoots` finds where; `operands` are numbers of the
-/// edges that polygons get, or null.
+/// Writes the surface that crosses edges, and which samples are inside if so wished. `findRoots`
+/// finds where it crosses; `operands` are numbers of the edges that polygons get, or null.
 void writeSurface(const Grid& grid, const winding::LevelEdges& edges,
   const std::function<const winding::EdgeRoots&()>& findRoots,
   const std::vector<std::uint32_t>* operands, const winding_surface_options& options, Call& call,
   winding_mesh& mesh)
 {
+  if (options.generate_image)
+  {
+    mesh.inside.resize(winding::sampleCount(grid.wholeExtent()));
+    edges.writeInside(mesh.inside.data(), call.executor);
+  }
   const bool areDoubles =
     options.type == 0 ? winding::needsDoublePoints(grid) : options.type == WINDING_FLOAT64;
   if (options.features != WINDING_FEATURES_SMOOTH)
@@ -506,6 +511,8 @@ winding_status winding_mesh_show(
       to.slit_widths = pointerTo(from.slitWidths);
       to.distances_from = from.distancesFrom;
       to.filled_cavities = from.filledCavities;
+      to.sample_count = static_cast<int64_t>(from.inside.size());
+      to.inside = pointerTo(from.inside);
       to.line_count =
         from.lineOffsets.empty() ? 0 : static_cast<int64_t>(from.lineOffsets.size() - 1);
       to.line_offsets = pointerTo(from.lineOffsets);

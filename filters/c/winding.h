@@ -571,6 +571,8 @@ extern "C"
     const double* slit_widths;        /**< one for each polygon, of WINDING_FAULT_BOUNDARY */
     int32_t distances_from;           /**< a winding_distances_from, of a surface that moved */
     int64_t filled_cavities;          /**< of winding_level_surface() */
+    int64_t sample_count;             /**< of inside */
+    const uint8_t* inside;            /**< one for each sample, of a surface with an image */
   } winding_mesh_arrays;
 
   /**
@@ -648,6 +650,7 @@ extern "C"
     int32_t shell_side;    /**< a winding_shell_side. Default: WINDING_SHELL_SIDE_INWARD */
     double offset; /**< length by which the surface moves outward, negative: inward. Default: 0 */
     double shell;  /**< thickness of the shell that replaces the solid; 0 for none. Default: 0 */
+    int32_t generate_image; /**< whether the mesh shows which samples are inside. Default: 0 */
   } winding_surface_options;
 
   /**

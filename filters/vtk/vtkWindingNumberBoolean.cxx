@@ -93,55 +93,83 @@ int vtkWindingNumberBoolean::FillInputPortInformation(int port, vtkInformation* 
   return this->Superclass::FillInputPortInformation(port, info);
 }
 
-/// Returns the choices for an operand, to be changed.
-vtkWindingNumberBoolean::OperandChoice& vtkWindingNumberBoolean::ChoiceOf(int operand)
-{
-  this->Modified();
-  return this->Choices[operand];
-}
-
 void vtkWindingNumberBoolean::SetOperandThreshold(int operand, double threshold)
 {
-  OperandChoice& choice = this->ChoiceOf(operand);
-  choice.hasThreshold = true;
-  choice.threshold = threshold;
+  this->OperandThresholds[operand] = threshold;
+  this->Modified();
 }
 
 double vtkWindingNumberBoolean::GetOperandThreshold(int operand) const
 {
-  const auto found = this->Choices.find(operand);
-  return found != this->Choices.end() && found->second.hasThreshold ? found->second.threshold
-                                                                    : this->WindingThreshold;
+  const auto found = this->OperandThresholds.find(operand);
+  return found == this->OperandThresholds.end() ? this->WindingThreshold : found->second;
+}
+
+void vtkWindingNumberBoolean::ClearOperandThresholds()
+{
+  this->OperandThresholds.clear();
+  this->Modified();
 }
 
 void vtkWindingNumberBoolean::SetOperandInsideRule(int operand, int rule)
 {
-  OperandChoice& choice = this->ChoiceOf(operand);
-  choice.hasRule = true;
-  choice.rule = rule;
+  this->OperandInsideRules[operand] = rule;
+  this->Modified();
 }
 
 int vtkWindingNumberBoolean::GetOperandInsideRule(int operand) const
 {
-  const auto found = this->Choices.find(operand);
-  return found != this->Choices.end() && found->second.hasRule ? found->second.rule
-                                                               : this->InsideRule;
+  const auto found = this->OperandInsideRules.find(operand);
+  return found == this->OperandInsideRules.end() ? this->InsideRule : found->second;
 }
 
-void vtkWindingNumberBoolean::SetOperandName(int operand, const char* name)
+void vtkWindingNumberBoolean::ClearOperandInsideRules()
 {
-  this->ChoiceOf(operand).name = winding::textOf(name);
+  this->OperandInsideRules.clear();
+  this->Modified();
 }
 
-const char* vtkWindingNumberBoolean::GetOperandName(int operand) const
+void vtkWindingNumberBoolean::SetName(int port, int connection, const char* name)
 {
-  const auto found = this->Choices.find(operand);
-  return found == this->Choices.end() ? "" : found->second.name.c_str();
+  this->Names[port][connection] = winding::textOf(name);
+  this->Modified();
 }
 
-void vtkWindingNumberBoolean::ClearOperands()
+const char* vtkWindingNumberBoolean::GetName(int port, int connection) const
 {
-  this->Choices.clear();
+  const auto found = this->Names[port].find(connection);
+  return found == this->Names[port].end() ? "" : found->second.c_str();
+}
+
+void vtkWindingNumberBoolean::SetInputName(int connection, const char* name)
+{
+  this->SetName(0, connection, name);
+}
+
+const char* vtkWindingNumberBoolean::GetInputName(int connection) const
+{
+  return this->GetName(0, connection);
+}
+
+void vtkWindingNumberBoolean::ClearInputNames()
+{
+  this->Names[0].clear();
+  this->Modified();
+}
+
+void vtkWindingNumberBoolean::SetOtherName(int connection, const char* name)
+{
+  this->SetName(1, connection, name);
+}
+
+const char* vtkWindingNumberBoolean::GetOtherName(int connection) const
+{
+  return this->GetName(1, connection);
+}
+
+void vtkWindingNumberBoolean::ClearOtherNames()
+{
+  this->Names[1].clear();
   this->Modified();
 }
 
@@ -149,11 +177,13 @@ void vtkWindingNumberBoolean::CheckProperties()
 {
   this->Superclass::CheckProperties();
   winding::checkProperty(winding::Parameter::booleanOperation, this->Operation);
-  for (const auto& [operand, choice] : this->Choices)
+  for (const auto& [operand, threshold] : this->OperandThresholds)
   {
-    winding::checkProperty(
-      winding::Parameter::windingThreshold, this->GetOperandThreshold(operand));
-    winding::coreInsideRule(this->GetOperandInsideRule(operand));
+    winding::checkProperty(winding::Parameter::windingThreshold, threshold);
+  }
+  for (const auto& [operand, rule] : this->OperandInsideRules)
+  {
+    winding::coreInsideRule(rule);
   }
 }
 
@@ -161,12 +191,26 @@ void vtkWindingNumberBoolean::HashProperties(winding::ContentHash& hash)
 {
   this->Superclass::HashProperties(hash);
   hash.addValue(this->Operation);
-  for (const auto& [operand, choice] : this->Choices)
+  for (const auto& [operand, threshold] : this->OperandThresholds)
   {
     hash.addValue(operand);
-    hash.addText(choice.name);
-    hash.addValue(this->GetOperandThreshold(operand));
-    hash.addValue(this->GetOperandInsideRule(operand));
+    hash.addValue(threshold);
+  }
+  hash.addValue(this->OperandThresholds.size()); // ends one list, and begins the next
+  for (const auto& [operand, rule] : this->OperandInsideRules)
+  {
+    hash.addValue(operand);
+    hash.addValue(rule);
+  }
+  hash.addValue(this->OperandInsideRules.size());
+  for (const auto& names : this->Names)
+  {
+    for (const auto& [connection, name] : names)
+    {
+      hash.addValue(connection);
+      hash.addText(name);
+    }
+    hash.addValue(names.size());
   }
 }
 
@@ -183,7 +227,7 @@ vtkDataObject* vtkWindingNumberBoolean::GetSource()
   {
     for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
     {
-      sources.emplace_back(this->GetInputDataObject(port, i), "");
+      sources.emplace_back(this->GetInputDataObject(port, i), this->GetName(port, i));
     }
   }
   auto* blocks =
@@ -203,9 +247,8 @@ vtkDataObject* vtkWindingNumberBoolean::GetSource()
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
     const auto block = static_cast<unsigned int>(i);
-    std::string name = this->GetOperandName(static_cast<int>(i));
-    name = name.empty() ? sources[i].second : name;
-    name = name.empty() ? "Input " + std::to_string(i + 1) : name;
+    const std::string& given = sources[i].second;
+    const std::string name = given.empty() ? "Input " + std::to_string(i + 1) : given;
     this->Blocks->SetBlock(block, sources[i].first);
     this->Blocks->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name.c_str());
   }
@@ -382,5 +425,6 @@ void vtkWindingNumberBoolean::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Operation: " << this->Operation << "\n";
-  os << indent << "Choices: " << this->Choices.size() << "\n";
+  os << indent << "OperandThresholds: " << this->OperandThresholds.size() << "\n";
+  os << indent << "OperandInsideRules: " << this->OperandInsideRules.size() << "\n";
 }

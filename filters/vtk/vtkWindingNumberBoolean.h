@@ -87,25 +87,32 @@ public:
   void RemoveOtherConnections() { this->SetInputConnection(1, nullptr); }
 
   ///@{
-  /// The threshold of an operand, counted from 0. Default: WindingThreshold.
+  /// The thresholds of operands, counted from 0. Default: WindingThreshold for all.
   void SetOperandThreshold(int operand, double threshold);
   double GetOperandThreshold(int operand) const;
+  void ClearOperandThresholds();
   ///@}
 
   ///@{
-  /// The inside rule of an operand, counted from 0. Default: InsideRule.
+  /// The inside rules of operands, counted from 0. Default: InsideRule for all.
   void SetOperandInsideRule(int operand, int rule);
   int GetOperandInsideRule(int operand) const;
+  void ClearOperandInsideRules();
   ///@}
 
-  /// Forgets the names, thresholds and inside rules of all operands.
-  void ClearOperands();
+  ///@{
+  /// The names of the connections of port 0, counted from 0, for warnings and OperandNames. Default:
+  /// "Input 1" for the first operand, and so on; or the name of its block.
+  void SetInputName(int connection, const char* name);
+  const char* GetInputName(int connection) const;
+  void ClearInputNames();
+  ///@}
 
   ///@{
-  /// The name of an operand, counted from 0, for warnings and OperandNames. Default: "Input 1" for
-  /// the first, and so on; or the name of its block.
-  void SetOperandName(int operand, const char* name);
-  const char* GetOperandName(int operand) const;
+  /// The names of the connections of port 1, as those of port 0.
+  void SetOtherName(int connection, const char* name);
+  const char* GetOtherName(int connection) const;
+  void ClearOtherNames();
   ///@}
 
 protected:
@@ -131,21 +138,14 @@ protected:
 private:
   class Operand;
 
-  /// The choices for an operand.
-  struct OperandChoice
-  {
-    std::string name;
-    bool hasThreshold = false;
-    double threshold = 0;
-    bool hasRule = false;
-    int rule = 0;
-  };
-
-  OperandChoice& ChoiceOf(int operand);
+  void SetName(int port, int connection, const char* name);
+  const char* GetName(int port, int connection) const;
   Operand MakeOperand(vtkDataObject* source, const std::string& name);
   void MakeResult(const std::vector<Operand>& operands, vtkPolyData* output);
 
-  std::map<int, OperandChoice> Choices;
+  std::map<int, double> OperandThresholds;
+  std::map<int, int> OperandInsideRules;
+  std::map<int, std::string> Names[2]; ///< of connections, by port
   vtkSmartPointer<vtkMultiBlockDataSet> Blocks;
   std::unique_ptr<winding::LabelFacts> Facts;
   double KeptBytes = 0; ///< of the operands that are done

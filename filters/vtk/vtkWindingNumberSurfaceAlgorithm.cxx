@@ -372,24 +372,7 @@ void vtkWindingNumberSurfaceAlgorithm::MakeImage(
   image->SetSpacing(grid.spacing.data());
   const auto inside = winding::makeResultArray(
     VTK_UNSIGNED_CHAR, "Inside", static_cast<vtkIdType>(winding::sampleCount(extent)));
-  auto* const values = static_cast<unsigned char*>(inside->GetVoidPointer(0));
-  winding::runBlocks(
-    static_cast<std::size_t>(grid.dimensions[2]), 1,
-    [&](std::size_t layer, std::size_t, std::size_t)
-    {
-      const int k = static_cast<int>(layer);
-      std::vector<winding::RowRun> runs;
-      for (int j = 0; j < grid.dimensions[1]; ++j)
-      {
-        edges.findRuns(j, k, runs);
-        unsigned char* const row = values + winding::sampleNumber(extent, 0, j, k);
-        for (const winding::RowRun& run : runs)
-        {
-          std::fill(row + run.begin, row + run.end, static_cast<unsigned char>(run.value));
-        }
-      }
-    },
-    executor);
+  edges.writeInside(static_cast<unsigned char*>(inside->GetVoidPointer(0)), executor);
   image->GetPointData()->SetScalars(inside);
 }
 

@@ -132,7 +132,8 @@ class MeshArrays(Sized):
                 ("vertex_corners", ctypes.c_void_p), ("colors", ctypes.c_void_p),
                 ("color_components", _int32), ("texture_coordinates", ctypes.c_void_p),
                 ("regions_count", _int64), ("slit_widths", ctypes.c_void_p),
-                ("distances_from", _int32), ("filled_cavities", _int64)]
+                ("distances_from", _int32), ("filled_cavities", _int64),
+                ("sample_count", _int64), ("inside", ctypes.c_void_p)]
 
 
 class Column(Sized):
@@ -189,7 +190,7 @@ class SurfaceOptions(Sized):
     _fields_ = [("size", ctypes.c_uint32), ("features", _int32), ("generate_triangles", _int32),
                 ("close_border", _int32), ("generate_normals", _int32), ("type", _int32),
                 ("fill_cavities", _int32), ("shell_side", _int32), ("offset", _double),
-                ("shell", _double)]
+                ("shell", _double), ("generate_image", _int32)]
 
 
 class Report(Sized):
@@ -404,6 +405,7 @@ def arrays_of(mesh):
         "slit_widths": view(arrays.slit_widths, np.float64, polygons),
         "distances_from": (None, "source", "surface")[arrays.distances_from],
         "filled_cavities": arrays.filled_cavities,
+        "inside": view(arrays.inside, np.uint8, arrays.sample_count),
         "column_count": arrays.column_count,
         "regions": _regions_of(mesh, arrays),
         "lines": cells(arrays.line_corners, arrays.line_offsets, arrays.line_count),

@@ -1,5 +1,6 @@
 #include "Calls.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -122,6 +123,14 @@ TEST(LevelSurface, HasTheSidesOfVoxels)
   const OwnedMesh voxels = surfaceOf(field, grid, options);
   EXPECT_EQ(show(voxels).polygon_count, 6 * 10 * 10);
   EXPECT_NEAR(closedVolumeOf(show(voxels)), std::pow(10 * grid.spacing[0], 3), 1e-5);
+  EXPECT_EQ(show(voxels).inside, nullptr);
+  options.generate_image = 1;
+  const OwnedMesh withImage = surfaceOf(field, grid, options);
+  const winding_mesh_arrays arrays = show(withImage);
+  ASSERT_EQ(arrays.sample_count, 16 * 16 * 16);
+  EXPECT_EQ(std::count(arrays.inside, arrays.inside + arrays.sample_count, 1), 10 * 10 * 10);
+  EXPECT_EQ(arrays.inside[0], 0);
+  EXPECT_EQ(arrays.inside[8 + 16 * (8 + 16 * 8)], 1);
   options.features = WINDING_FEATURES_VOXELS + 1;
   winding_mesh* mesh = nullptr;
   EXPECT_EQ(winding_level_surface(field.get(), &grid, nullptr, &options, nullptr, &mesh, nullptr),

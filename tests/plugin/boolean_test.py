@@ -45,6 +45,40 @@ class TestBoolean(unittest.TestCase):
         boolean.Others = [third]
         self.assertAlmostEqual(volume_of(result(boolean)), one, delta=0.03)
 
+    def test_voxels_and_the_image_say_the_same(self):
+        boolean = self.boolean(Operation="Intersection", Features="Voxels", GenerateTriangles=1)
+        self.assertEqual(result(simple.OutputPort(boolean, 1)).GetNumberOfPoints(), 0)
+        boolean.GenerateImage = 1
+        volume = volume_of(result(boolean))
+        image = result(simple.OutputPort(boolean, 1))
+        inside = image.GetPointData().GetArray("Inside")
+        count = sum(inside.GetValue(i) for i in range(inside.GetNumberOfTuples()))
+        x, y, z = image.GetSpacing()
+        self.assertAlmostEqual(volume, count * x * y * z, 4)
+        voxels = simple.WindingNumberVoxels(Input=simple.OutputPort(boolean, 1))
+        self.assertAlmostEqual(volume_of(result(voxels)), volume, 4)
+
+    def test_operands_have_names_thresholds_and_rules(self):
+        first, second = self.operands()
+        simple.RenameSource("scan", first)
+        simple.RenameSource("tool", second)
+        second.Transform.Translate = (1, 0, 0)
+        boolean = simple.WindingNumberBoolean(
+            Input=first, Others=second, Resolution=48, OperandThresholds=[0.5, 2])
+        output = result(boolean)
+        names = output.GetFieldData().GetAbstractArray("OperandNames")
+        self.assertEqual([names.GetValue(i) for i in range(2)], ["scan", "tool"])
+        self.assertAlmostEqual(volume_of(output), WHOLE, delta=0.03 * WHOLE)
+        boolean.OperandThresholds = []
+        boolean.OperandInsideRules = [1, 2]
+        self.assertAlmostEqual(
+            volume_of(result(boolean)), 2 * WHOLE - LENS, delta=0.03 * WHOLE)
+        boolean.OperandInsideRules = [3]
+        errors = errors_of(boolean)
+        boolean.UpdatePipeline()
+        self.assertEqual(len(errors), 1)
+        self.assertIn("Inside Rule is 3; it must be", errors[0])
+
     def test_solids_that_do_not_meet_are_told(self):
         boolean = self.boolean(Operation="Intersection")
         boolean.Others[0].Transform.Translate = (5, 0, 0)

@@ -19,7 +19,8 @@ if not hasattr(inspect, "getargspec"):
     inspect.getargspec = inspect.getfullargspec
 """
 # Tests of the plugin in C++ that the plugin in Python has to pass as they are.
-SAME = ["areas", "clip", "field", "labels", "probe", "readers", "report", "surface", "voxels", "words"]
+SAME = ["areas", "boolean", "clip", "field", "labels", "probe", "readers", "report", "surface",
+        "voxels", "words"]
 limit = 250  # seconds
 
 

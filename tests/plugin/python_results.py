@@ -142,7 +142,14 @@ def of_source(name, mesh, is_cloud):
         **grid, Features="Sharp", CloseBorder=1, OrientFaces=1, WindingThreshold=0.4))
     note(f"{name} shell", simple.WindingNumberSurface(
         **grid, FillCavities=1, Offset=-0.05, Shell=0.2, ShellSide="Centered",
-        FidelitySamples=100))
+        FidelitySamples=100, GenerateImage=1))
+    box = simple.Box(XLength=0.8, YLength=0.9, ZLength=1, Center=[0.3, 0.2, 0])
+    for operation, features in (("Union", "Smooth"), ("Intersection", "Sharp"),
+                                ("Difference", "Voxels"), ("Symmetric Difference", "Smooth")):
+        note(f"{name} {operation}", simple.WindingNumberBoolean(
+            **grid, Others=[box], Operation=operation, Features=features, GenerateImage=1,
+            OperandThresholds=[0.4], OperandInsideRules=[0, 1], TransferAttributes=1,
+            GenerateNearestCells=1, VerifySamples=20))
     queries = simple.Sphere(Radius=0.7, ThetaResolution=20, PhiResolution=20)
     image = simple.Wavelet(WholeExtent=[-6, 6, -5, 5, -4, 4])
     note(f"{name} probe", simple.WindingNumberProbe(
@@ -236,6 +243,7 @@ def run(folder):
     of_solids("ids", names, RegionArray="ObjectIds")
     of_solids("texts", names, RegionArray="Text")
     group = simple.GroupDatasets(Input=balls)
+    note("a union of blocks", simple.WindingNumberBoolean(Input=group, Resolution=20))
     of_source("a group", group, False)
     of_solids("solids", group)
     of_solids("parts", simple.MergeBlocks(Input=group, OutputDataSetType="Polygonal Mesh"))

@@ -33,7 +33,7 @@ ABSTRACT = {
     "vtkWindingNumberSurfaceAlgorithm",
 }
 # Properties of one of several inputs are asked for by its number.
-BY_NUMBER = {"GetInputName", "GetOperandInsideRule", "GetOperandName", "GetOperandThreshold"}
+BY_NUMBER = {"GetInputName", "GetOperandInsideRule", "GetOperandThreshold", "GetOtherName"}
 
 
 def sphere(resolution=24):

@@ -220,7 +220,7 @@ TEST_F(Boolean, HasTheRightSideForBrokenOperands)
     const auto places = randomPlaces(2000, 1.3, 5);
     const std::vector<bool> inA = insideOf(pair.a, places);
     const std::vector<bool> inB = insideOf(pair.b, places, pair.ruleOfB);
-    filter->ClearOperands();
+    filter->ClearOperandInsideRules();
     filter->SetOperandInsideRule(1, pair.ruleOfB);
     for (int operation = 0; operation < 4; ++operation)
     {
@@ -289,7 +289,7 @@ TEST_F(Boolean, HasTheSameBitsForBlocksThreadsAndAgain)
   ofOnePort->AddInputDataObject(0, b);
   ofOnePort->SetResolution(64);
   ofOnePort->SetOperationToDifference();
-  ofOnePort->SetOperandName(1, "tool");
+  ofOnePort->SetInputName(1, "tool");
   ofOnePort->Update();
   expectSame(ofOnePort->GetOutput());
   auto* names = vtkStringArray::SafeDownCast(
@@ -346,7 +346,7 @@ TEST_F(Boolean, RefusesByTheNameOfTheOperand)
 {
   filter->SetInputDataObject(0, sphereAt(0));
   filter->SetInputDataObject(1, sphereCloud(500, 0));
-  filter->SetOperandName(1, "tool");
+  filter->SetOtherName(0, "tool");
   const ErrorLog log(filter);
   filter->Update();
   EXPECT_NE(log.errors().find("the points have no normals"), std::string::npos) << log.errors();
@@ -361,7 +361,7 @@ TEST_F(Boolean, WarnsByTheNameOfTheOperand)
   reversed->Update();
   filter->SetInputDataObject(0, sphereAt(0));
   filter->SetInputDataObject(1, reversed->GetOutput());
-  filter->SetOperandName(1, "tool");
+  filter->SetOtherName(0, "tool");
   const ErrorLog log(filter);
   filter->Update();
   EXPECT_NE(log.warnings().find("'tool': "), std::string::npos) << log.warnings();

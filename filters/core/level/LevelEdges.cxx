@@ -326,6 +326,28 @@ void LevelEdges::findRuns(int j, int k, std::vector<RowRun>& runs) const
   }
 }
 
+void LevelEdges::writeInside(unsigned char* inside, Executor& executor) const
+{
+  const Extent extent = grid_.wholeExtent();
+  runBlocks(
+    static_cast<std::size_t>(grid_.dimensions[2]), 1,
+    [&](std::size_t layer, std::size_t, std::size_t)
+    {
+      const int k = static_cast<int>(layer);
+      std::vector<RowRun> runs;
+      for (int j = 0; j < grid_.dimensions[1]; ++j)
+      {
+        this->findRuns(j, k, runs);
+        unsigned char* const row = inside + sampleNumber(extent, 0, j, k);
+        for (const RowRun& run : runs)
+        {
+          std::fill(row + run.begin, row + run.end, static_cast<unsigned char>(run.value));
+        }
+      }
+    },
+    executor);
+}
+
 void LevelEdges::addSides(const std::vector<SideCounts>& layers)
 {
   for (const SideCounts& layer : layers)

@@ -116,6 +116,10 @@ public:
   /// Describes a row of the grid, without its border, as runs with value 1 inside and 0 outside.
   void findRuns(int j, int k, std::vector<RowRun>& runs) const;
 
+  /// Writes 1 for each sample of the grid that is inside and 0 for others, without a border, in the
+  /// order of samples. Throws Interrupted.
+  void writeInside(unsigned char* inside, Executor& executor) const;
+
   /// The number of the edge from a sample along an axis; size() if the inside rule does not change
   /// there.
   std::size_t find(const std::array<int, 3>& sample, int axis) const;

@@ -163,9 +163,9 @@ class Algorithm(VTKPythonAlgorithmBase):
             self.value(name)
 
     @contextlib.contextmanager
-    def reporting(self, output=None):
+    def reporting(self, *outputs):
         """Reports what is raised as one line, and keeps how the work ended as the status. Where it
-        fails, an output becomes empty."""
+        fails, the outputs become empty."""
         self.status = DONE
         try:
             yield
@@ -186,8 +186,9 @@ class Algorithm(VTKPythonAlgorithmBase):
             place = traceback.extract_tb(error.__traceback__)[-1]
             self._refuse(f"unexpected, please report it: {error!r} at line {place.lineno} of "
                          f"{pathlib.Path(place.filename).name}")
-        if self.status != DONE and output is not None:
-            output.Initialize()
+        if self.status != DONE:
+            for output in outputs:
+                output.Initialize()
 
     def _refuse(self, text):
         """Reports an error, once for each change of the pipeline."""

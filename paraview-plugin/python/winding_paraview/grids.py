@@ -52,8 +52,8 @@ def whole_extent(grid):
 class GridAlgorithm(SourceAlgorithm):
     """A filter that lays a grid over its source."""
 
-    def __init__(self, output_type, ports=1):
-        super().__init__(nInputPorts=ports, nOutputPorts=1, outputType=output_type)
+    def __init__(self, output_type, ports=1, outputs=1):
+        super().__init__(nInputPorts=ports, nOutputPorts=outputs, outputType=output_type)
         self.grid = None
         self.request = None
         self.verification = None
@@ -232,6 +232,29 @@ class GridAlgorithm(SourceAlgorithm):
                   (ctypes.c_int32 * 6)(*extent), _library.array_of(values),
                   ctypes.c_int64(self.values["VerifySamples"]), RUN, ctypes.byref(found))
         return found
+
+    def verify_all(self, fields, grid, extent):
+        """The differences of the fields of several solids together."""
+        if self.value("VerifySamples") == 0 or not sample_count(extent):
+            return None
+        total, squares = _library.Verification(), 0.0
+        for field in fields:
+            info = _library.FieldInfo()
+            _library.call("winding_describe", field.pointer, ctypes.byref(info))
+            if info.primitives == 0:
+                continue
+            array, values = new_array("w", np.float32, sample_count(extent))
+            asked = _library.Values(winding=values.ctypes.data)
+            self.call("winding_evaluate_grid", field.pointer, ctypes.byref(grid),
+                      (ctypes.c_int32 * 6)(*extent), ctypes.byref(self.rule()),
+                      ctypes.byref(asked), RUN, note=lambda text: None)
+            found = self.verify(field, grid, extent, values)
+            total.max_error = max(total.max_error, found.max_error)
+            total.near_max_error = max(total.near_max_error, found.near_max_error)
+            total.samples += found.samples
+            squares += found.rms_error**2 * found.samples
+        total.rms_error = (squares / max(1, total.samples)) ** 0.5
+        return total
 
 
 class ImageAlgorithm(GridAlgorithm):

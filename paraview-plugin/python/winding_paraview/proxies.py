@@ -1,5 +1,6 @@
 """The classes that proxies of ParaView name, each as in C++ without vtk before it."""
 
+from .booleans import WindingNumberBoolean
 from .grids import GridAlgorithm, WindingNumberField
 from .points import PointAreas
 from .probes import ProbeAlgorithm, WindingNumberClip, WindingNumberProbe
@@ -19,6 +20,7 @@ __all__ = [
     "SourceReader",
     "SurfaceReport",
     "WindingNumberAlgorithm",
+    "WindingNumberBoolean",
     "WindingNumberClip",
     "WindingNumberField",
     "WindingNumberGridAlgorithm",

@@ -431,7 +431,7 @@ class WindingNumberLabels(ImageAlgorithm):
         self._tell_solids(solids)
         self._describe_solids(solids.solids, image)
         self.describe(image)
-        self.verification = self._verify_all(handles, grid, extent)
+        self.verification = self.verify_all(handles, grid, extent)
 
     def _label(self, solids, fields, grid, extent, attributes):
         count = sample_count(extent)
@@ -531,24 +531,3 @@ class WindingNumberLabels(ImageAlgorithm):
             "LabelValues", np.array([solid.label for solid in solids], np.uint16)))
         image.GetFieldData().AddArray(names)
         self.legend = "".join(f"{solid.label}\t{solid.name}\n" for solid in solids)
-
-    def _verify_all(self, fields, grid, extent):
-        """The differences of all solids together."""
-        if self.value("VerifySamples") == 0 or not sample_count(extent):
-            return None
-        total, squares = _library.Verification(), 0.0
-        for field, info in zip(fields, self.infos):
-            if info.primitives == 0:
-                continue
-            array, values = new_array("w", np.float32, sample_count(extent))
-            asked = _library.Values(winding=values.ctypes.data)
-            self.call("winding_evaluate_grid", field.pointer, ctypes.byref(grid),
-                      (ctypes.c_int32 * 6)(*extent), ctypes.byref(self.rule()),
-                      ctypes.byref(asked), RUN, note=lambda text: None)
-            found = self.verify(field, grid, extent, values)
-            total.max_error = max(total.max_error, found.max_error)
-            total.near_max_error = max(total.near_max_error, found.near_max_error)
-            total.samples += found.samples
-            squares += found.rms_error**2 * found.samples
-        total.rms_error = (squares / max(1, total.samples)) ** 0.5
-        return total

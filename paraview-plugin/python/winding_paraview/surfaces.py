@@ -1,4 +1,5 @@
-"""Filters that give surfaces: Winding Number Surface and Winding Number Voxels."""
+"""Filters that give surfaces: Winding Number Surface, and Winding Number Voxels. What surfaces of
+solids have in common is SurfaceAlgorithm."""
 
 import ctypes
 import math
@@ -6,6 +7,7 @@ import math
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkExecutive as Executive
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 
 from vtkwinding import _datasets, _library, _options
@@ -13,7 +15,7 @@ from vtkwinding._attributes import Attributes
 from vtkwinding._errors import WindingError
 
 from .algorithm import RUN, Algorithm, copied, declared, new_array, refuse_beyond_memory
-from .grids import GridAlgorithm, sample_count, whole_extent
+from .grids import VTK_UNSIGNED_CHAR, GridAlgorithm, sample_count, whole_extent
 from .ranks import Ranks
 from .sources import kind_of
 
@@ -40,14 +42,106 @@ def polydata_of(arrays, lines=False, output=None):
     return output
 
 
-@declared
-class WindingNumberSurface(GridAlgorithm):
-    """The surface between inside and outside."""
+class SurfaceAlgorithm(GridAlgorithm):
+    """A filter of the surface of solids, and of an image of the samples as second output."""
 
     works_on_first_rank = True
 
+    def __init__(self, ports=1):
+        super().__init__("vtkPolyData", ports, outputs=2)
+
+    def make(self, data, ranks, output, image):
+        """Makes the surface of a source, and the image if it is asked for."""
+        raise NotImplementedError
+
+    def FillOutputPortInformation(self, port, info):
+        info.Set(vtkDataObject.DATA_TYPE_NAME(), ("vtkPolyData", "vtkImageData")[port])
+        return 1
+
+    @staticmethod
+    def _requested(request, outputs):
+        return outputs.GetInformationObject(max(0, request.Get(Executive.FROM_OUTPUT_PORT())))
+
+    def RequestInformation(self, request, inputs, outputs):
+        out_info, of_image = self._requested(request, outputs), outputs.GetInformationObject(1)
+        of_image.Set(Pipeline.WHOLE_EXTENT(), [0, -1, 0, -1, 0, -1], 6)
+        with self.reporting():
+            ranks = Ranks()
+            self.source_kind = kind_of(self.source())
+            self.find_bounds_over_all_times(out_info, ranks)
+            if self.value("GenerateImage"):
+                self.check()
+                if self.values["UseInputBounds"]:
+                    self.update_source(out_info)
+                self.lay_out_grid(self.source(), ranks)
+                of_image.Set(Pipeline.WHOLE_EXTENT(), whole_extent(self.grid), 6)
+                of_image.Set(vtkDataObject.ORIGIN(), list(self.grid.origin), 3)
+                of_image.Set(vtkDataObject.SPACING(), list(self.grid.spacing), 3)
+                vtkDataObject.SetPointDataActiveScalarInfo(of_image, VTK_UNSIGNED_CHAR, 1)
+        return 1
+
+    def RequestData(self, request, inputs, outputs):
+        output, image = vtkPolyData.GetData(outputs, 0), vtkImageData.GetData(outputs, 1)
+        ranks = Ranks()
+        piece = self._requested(request, outputs).Get(Pipeline.UPDATE_PIECE_NUMBER())
+        if piece and ranks.are_alone:
+            return 1
+        image.Initialize()
+        with self.reporting(output, image):
+            self.check()
+            self.check_verification(True)
+            data = self.source()
+            self.source_kind = kind_of(data)
+            if self.value("GenerateImage") and self.grid is not None:
+                self.grid = self.moved_grid(data, ranks)
+            else:
+                self.lay_out_grid(data, ranks)
+            wishes = {"transfer": bool(self.value("TransferAttributes")),
+                      "numbers": bool(self.value("GenerateNearestCells"))}
+            self.refuse_nearest_of_other_ranks(ranks, any(wishes.values()))
+            if self.make(data, ranks, output, image) and any(wishes.values()):
+                self.nearest(data, **wishes).add_to(output)
+        return 1
+
+    def refuse_large_surface(self, field, rule):
+        """Refuses a surface that does not fit into memory. Returns the bytes that it is to take."""
+        needed = ctypes.c_double()
+        self.call("winding_expect_surface", field.pointer, ctypes.byref(self.grid),
+                  ctypes.byref(rule), RUN, ctypes.byref(needed))
+        if self.value("GenerateImage"):
+            needed.value += sample_count(whole_extent(self.grid))
+        refuse_beyond_memory(needed.value, "the surface")
+        return int(needed.value)
+
+    def surface_options(self, **shape):
+        precision = self.value("OutputPointsPrecision")  # single, double, automatic
+        return _library.SurfaceOptions(
+            features=self.value("Features"),
+            generate_triangles=bool(self.value("GenerateTriangles")),
+            close_border=bool(self.value("CloseBorder")),
+            generate_normals=bool(self.value("GenerateNormals")), type=(1, 2, 0)[precision],
+            generate_image=bool(self.value("GenerateImage")), **shape)
+
+    def add_mesh(self, arrays, output, image):
+        """Adds the surface and the samples of a mesh of the library to the outputs."""
+        polydata_of(arrays, output=output)
+        if arrays["point_normals"] is not None:
+            output.GetPointData().SetNormals(copied("Normals", arrays["point_normals"], 3))
+        if arrays["polygon_normals"] is not None:
+            output.GetCellData().SetNormals(copied("Normals", arrays["polygon_normals"], 3))
+        if arrays["inside"] is not None:
+            image.SetDimensions(*self.grid.dimensions)
+            image.SetOrigin(*self.grid.origin)
+            image.SetSpacing(*self.grid.spacing)
+            image.GetPointData().SetScalars(copied("Inside", arrays["inside"]))
+
+
+@declared
+class WindingNumberSurface(SurfaceAlgorithm):
+    """The surface between inside and outside."""
+
     def __init__(self):
-        super().__init__("vtkPolyData")
+        super().__init__()
         self.fidelity_in_words = ""
 
     def GetFidelityInWords(self):
@@ -56,47 +150,14 @@ class WindingNumberSurface(GridAlgorithm):
     def reach_beyond_source(self):
         return _options.reach(self.value("Offset"), self.value("Shell"), self.value("ShellSide"))
 
-    def RequestInformation(self, request, inputs, outputs):
-        with self.reporting():
-            self.source_kind = kind_of(vtkDataObject.GetData(inputs[0]))
-            self.find_bounds_over_all_times(outputs.GetInformationObject(0), Ranks())
-        return 1
-
-    def RequestData(self, request, inputs, outputs):
-        out_info = outputs.GetInformationObject(0)
-        output = vtkPolyData.GetData(out_info)
-        ranks = Ranks()
-        if out_info.Get(Pipeline.UPDATE_PIECE_NUMBER()) and ranks.are_alone:
-            return 1
+    def make(self, data, ranks, output, image):
         self.fidelity_in_words = ""
-        with self.reporting(output):
-            self.check()
-            self.check_verification(True)
-            data = vtkDataObject.GetData(inputs[0])
-            self.source_kind = kind_of(data)
-            self.lay_out_grid(data, ranks)
-            wishes = {"transfer": bool(self.value("TransferAttributes")),
-                      "numbers": bool(self.value("GenerateNearestCells"))}
-            self.refuse_nearest_of_other_ranks(ranks, any(wishes.values()))
-            if self.prepare(data, ranks):
-                self._make(output)
-                if any(wishes.values()):
-                    self.nearest(data, **wishes).add_to(output)
-        return 1
-
-    def _make(self, output):
+        if not self.prepare(data, ranks):
+            return False
         samples = sample_count(whole_extent(self.grid))
-        needed = ctypes.c_double()
-        self.call("winding_expect_surface", self.field.pointer, ctypes.byref(self.grid),
-                  ctypes.byref(self.rule()), RUN, ctypes.byref(needed))
-        refuse_beyond_memory(needed.value, "the surface")
-        self.expect(samples, bool(self.value("GenerateDistanceToInput")), int(needed.value))
-        precision = self.value("OutputPointsPrecision")  # single, double, automatic
-        options = _library.SurfaceOptions(
-            features=self.value("Features"),
-            generate_triangles=bool(self.value("GenerateTriangles")),
-            close_border=bool(self.value("CloseBorder")),
-            generate_normals=bool(self.value("GenerateNormals")), type=(1, 2, 0)[precision],
+        needed = self.refuse_large_surface(self.field, self.rule())
+        self.expect(samples, bool(self.value("GenerateDistanceToInput")), needed)
+        options = self.surface_options(
             fill_cavities=bool(self.value("FillCavities")), offset=self.value("Offset"),
             shell=self.value("Shell"), shell_side=self.value("ShellSide"))
         mesh = _library.Handle("winding_mesh_free")
@@ -104,11 +165,7 @@ class WindingNumberSurface(GridAlgorithm):
                       ctypes.byref(self.rule()), ctypes.byref(options), RUN,
                       ctypes.byref(mesh.pointer))
         arrays = _library.arrays_of(mesh)
-        polydata_of(arrays, output=output)
-        if arrays["point_normals"] is not None:
-            output.GetPointData().SetNormals(copied("Normals", arrays["point_normals"], 3))
-        if arrays["polygon_normals"] is not None:
-            output.GetCellData().SetNormals(copied("Normals", arrays["polygon_normals"], 3))
+        self.add_mesh(arrays, output, image)
         if arrays["distances_from"]:
             names = vtkStringArray()
             names.SetName("DistancesFrom")
@@ -125,6 +182,7 @@ class WindingNumberSurface(GridAlgorithm):
         if self.value("FidelitySamples") > 0:
             self._compare(mesh, output)
         self._verify(samples)
+        return True
 
     def _add_distances(self, points, output):
         points = np.empty((0, 3), np.float32) if points is None else points

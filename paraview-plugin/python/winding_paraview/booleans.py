@@ -1,0 +1,185 @@
+"""Winding Number Boolean: union, intersection and difference of solids."""
+
+import contextlib
+import ctypes
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPolyData
+
+from vtkwinding import _library
+from vtkwinding._errors import WindingError
+
+from .algorithm import RUN, copied, declared
+from .grids import sample_count, whole_extent
+from .ranks import Ranks
+from .sources import ask_for_part
+from .surfaces import SurfaceAlgorithm
+
+_UNION, _INTERSECTION, _DIFFERENCE = range(3)
+
+
+@declared
+class WindingNumberBoolean(SurfaceAlgorithm):
+    """The surface of what an operation makes of solids."""
+
+    def __init__(self):
+        super().__init__(ports=2)
+        self.names = ({}, {})  # of connections, by port
+        self.thresholds, self.rules = {}, {}  # by operand
+        self.infos = []
+        self._kept = {}  # the field of each operand, and what it was made of
+
+    def FillInputPortInformation(self, port, info):
+        info.Set(self.INPUT_IS_REPEATABLE(), 1)
+        if port == 1:
+            info.Set(self.INPUT_IS_OPTIONAL(), 1)
+        return super().FillInputPortInformation(port, info)
+
+    def RequestUpdateExtent(self, request, inputs, outputs):
+        for port in inputs:
+            for index in range(port.GetNumberOfInformationObjects()):
+                ask_for_part(port.GetInformationObject(index), Ranks(),
+                             self.values["SourceDistribution"])
+        return 1
+
+    def RemoveOtherConnections(self):
+        self.SetInputConnection(1, None)
+
+    def _set(self, choices, key, value):
+        if choices.get(key) != value:
+            choices[key] = value
+            self.Modified()
+
+    def _clear(self, choices):
+        if choices:
+            choices.clear()
+            self.Modified()
+
+    def SetInputName(self, connection, name):
+        self._set(self.names[0], connection, name)
+
+    def ClearInputNames(self):
+        self._clear(self.names[0])
+
+    def SetOtherName(self, connection, name):
+        self._set(self.names[1], connection, name)
+
+    def ClearOtherNames(self):
+        self._clear(self.names[1])
+
+    def SetOperandThreshold(self, operand, threshold):
+        self._set(self.thresholds, operand, threshold)
+
+    def ClearOperandThresholds(self):
+        self._clear(self.thresholds)
+
+    def SetOperandInsideRule(self, operand, rule):
+        self._set(self.rules, operand, rule)
+
+    def ClearOperandInsideRules(self):
+        self._clear(self.rules)
+
+    def connections(self):
+        return [self.GetInputConnection(port, index) for port in (0, 1)
+                for index in range(self.GetNumberOfInputConnections(port))]
+
+    def source(self):
+        """The operands as blocks with names."""
+        found = [(self.GetInputDataObject(port, index), self.names[port].get(index))
+                 for port in (0, 1) for index in range(self.GetNumberOfInputConnections(port))]
+        if len(found) == 1 and isinstance(found[0][0], vtkMultiBlockDataSet):
+            data, key = found[0][0], vtkCompositeDataSet.NAME()
+            found = []
+            for index in range(data.GetNumberOfBlocks()):
+                about = data.GetMetaData(index) if data.HasMetaData(index) else None
+                has_name = about is not None and about.Has(key)
+                found.append((data.GetBlock(index), about.Get(key) if has_name else None))
+        blocks = vtkMultiBlockDataSet()
+        for index, (data, name) in enumerate(found):
+            blocks.SetBlock(index, vtkPolyData() if data is None else data)
+            blocks.GetMetaData(index).Set(
+                vtkCompositeDataSet.NAME(), name or f"Input {index + 1}")
+        return blocks
+
+    def bounds_of_source(self, data, ranks):
+        """The box of what the result can reach, or None."""
+        boxes = [super(WindingNumberBoolean, self).bounds_of_source(data.GetBlock(index), ranks)
+                 for index in range(data.GetNumberOfBlocks())]
+        operation = self.value("Operation")
+        if operation == _DIFFERENCE and boxes and boxes[0] is not None:
+            return boxes[0]
+        there = np.array([box for box in boxes if box is not None])
+        if not len(there):
+            return None
+        low, high = there[:, ::2], there[:, 1::2]
+        inner = low.max(axis=0), high.min(axis=0)
+        if operation == _INTERSECTION and len(there) == len(boxes) and (inner[0] <= inner[1]).all():
+            return np.stack(inner, 1).ravel().tolist()
+        return np.stack([low.min(axis=0), high.max(axis=0)], 1).ravel().tolist()
+
+    def _rule_of(self, operand):
+        rule = self.rules.get(operand, self.value("InsideRule"))
+        if rule not in (0, 1, 2):
+            raise WindingError(f"Inside Rule is {rule}; it must be Signed (0), Absolute (1) or "
+                               "Odd (2)")
+        return _library.Rule(inside_rule=rule, winding_threshold=self.thresholds.get(
+            operand, self.values["WindingThreshold"]))
+
+    @contextlib.contextmanager
+    def _naming(self, name):
+        """Adds the name of an operand to what is refused, and before warnings."""
+        tell = self.warn
+        self.warn = lambda text: tell(f"'{name}': {text}")
+        try:
+            yield
+        except WindingError as error:
+            error.args = (f"{error}{', ' if '; ' in str(error) else '; '}solid '{name}'",)
+            raise
+        finally:
+            del self.warn
+
+    def make(self, data, ranks, output, image):
+        count = data.GetNumberOfBlocks()
+        if count < 2:
+            raise WindingError(
+                "there are fewer than two solids: give another input, or several blocks")
+        names = [data.GetMetaData(index).Get(vtkCompositeDataSet.NAME()) for index in range(count)]
+        rules = [self._rule_of(index) for index in range(count)]
+        fields, self.infos, kept = [], [], {}
+        for index, name in enumerate(names):
+            # prepare() keeps one field: that of this operand is put in its place.
+            self.field_key, self.field, self.field_notes = self._kept.get(index, (None, None, []))
+            with self._naming(name):
+                is_own = self.prepare(data.GetBlock(index), ranks)
+            kept[index] = (self.field_key, self.field, self.field_notes)
+            fields.append(self.field)
+            if is_own:
+                self.infos.append(self.info)
+        self._kept = kept
+        if len(self.infos) < count:
+            return False
+        self.info = max(self.infos, key=lambda info: info.primitives)
+        needed = sum(self.refuse_large_surface(*pair) for pair in zip(fields, rules))
+        self.expect(sample_count(whole_extent(self.grid)), False, needed)
+        self._combine(fields, rules, names, output, image)
+        self.verification = self.verify_all(fields, self.grid, whole_extent(self.grid))
+        return True
+
+    def _combine(self, fields, rules, names, output, image):
+        handles = (ctypes.c_void_p * len(fields))(*(one.pointer.value for one in fields))
+        both = (_library.Rule * len(rules))(*rules)
+        mesh = _library.Handle("winding_mesh_free")
+        self.evaluate("winding_boolean", handles, ctypes.c_size_t(len(fields)),
+                      ctypes.c_int32(self.value("Operation")), ctypes.byref(self.grid), both,
+                      ctypes.byref(self.surface_options()), RUN, ctypes.byref(mesh.pointer))
+        arrays = _library.arrays_of(mesh)
+        self.add_mesh(arrays, output, image)
+        if arrays["numbers"] is not None:
+            output.GetCellData().AddArray(copied("Operand", arrays["numbers"].astype(np.int32)))
+        texts = vtkStringArray()
+        texts.SetName("OperandNames")
+        for name in names:
+            texts.InsertNextValue(name)
+        output.GetFieldData().AddArray(texts)
+        self.describe(output)
