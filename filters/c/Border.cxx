@@ -287,7 +287,7 @@ void Call::warn(const Message& message) const
 {
   if (run_.warn)
   {
-    run_.warn(lineOf(message, frontEndOf(&run_)).c_str(), run_.user);
+    run_.warn((prefix_ + lineOf(message, frontEndOf(&run_))).c_str(), run_.user);
   }
 }
 

@@ -191,6 +191,9 @@ public:
   {
   }
 
+  /// Has warnings begin with the name of a source from now on, or not if it is empty.
+  void nameSource(const std::string& name) { prefix_ = name.empty() ? "" : "'" + name + "': "; }
+
   /// Gives the caller a warning.
   void warn(const Message& message) const;
   void warn(const std::vector<Message>& messages) const;
@@ -199,6 +202,7 @@ public:
 
 private:
   winding_run run_;
+  std::string prefix_;
 
 public:
   ThreadExecutor executor;

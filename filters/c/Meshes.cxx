@@ -393,6 +393,7 @@ winding_status winding_boolean(const winding_field* const* fields, size_t count,
             surfaces.push_back(std::make_unique<LevelSurface>(*first[i], samples, inside[i], wished,
               call, Share{done / parts, (done + 1) / parts}));
             LevelSurface& surface = *surfaces.back();
+            call.nameSource(wished.names ? &required(wished.names[i], "options.names[i]") : "");
             evaluateInTime(*first[i]->field, first[i]->tolerance,
               winding::sampleCount(samples.wholeExtent()), call,
               [&]
@@ -404,6 +405,7 @@ winding_status winding_boolean(const winding_field* const* fields, size_t count,
             edges.push_back(&surface.edges());
             operands.push_back({&surface.edges(), &surface.roots()});
           }
+          call.nameSource("");
           setShare(call, {1 - 1 / parts, 1}, 0, 1);
           const winding::LevelEdges result(edges, kind, samples, call.executor);
           const winding::CombinedRoots combined(result, operands, kind, call.executor);

@@ -651,6 +651,8 @@ extern "C"
     double offset; /**< length by which the surface moves outward, negative: inward. Default: 0 */
     double shell;  /**< thickness of the shell that replaces the solid; 0 for none. Default: 0 */
     int32_t generate_image; /**< whether the mesh shows which samples are inside. Default: 0 */
+    const char* const*
+      names; /**< of the fields of winding_boolean(), for warnings. Default: null */
   } winding_surface_options;
 
   /**

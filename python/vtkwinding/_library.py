@@ -190,7 +190,7 @@ class SurfaceOptions(Sized):
     _fields_ = [("size", ctypes.c_uint32), ("features", _int32), ("generate_triangles", _int32),
                 ("close_border", _int32), ("generate_normals", _int32), ("type", _int32),
                 ("fill_cavities", _int32), ("shell_side", _int32), ("offset", _double),
-                ("shell", _double), ("generate_image", _int32)]
+                ("shell", _double), ("generate_image", _int32), ("names", ctypes.c_void_p)]
 
 
 class Report(Sized):

@@ -169,14 +169,16 @@ class WindingNumberBoolean(SurfaceAlgorithm):
     def _combine(self, fields, rules, names, output, image):
         handles = (ctypes.c_void_p * len(fields))(*(one.pointer.value for one in fields))
         both = (_library.Rule * len(rules))(*rules)
+        encoded = (ctypes.c_char_p * len(names))(*(name.encode() for name in names))
+        options = self.surface_options(names=ctypes.addressof(encoded))
         mesh = _library.Handle("winding_mesh_free")
         self.evaluate("winding_boolean", handles, ctypes.c_size_t(len(fields)),
                       ctypes.c_int32(self.value("Operation")), ctypes.byref(self.grid), both,
-                      ctypes.byref(self.surface_options()), RUN, ctypes.byref(mesh.pointer))
+                      ctypes.byref(options), RUN, ctypes.byref(mesh.pointer))
         arrays = _library.arrays_of(mesh)
         self.add_mesh(arrays, output, image)
-        if arrays["numbers"] is not None:
-            output.GetCellData().AddArray(copied("Operand", arrays["numbers"].astype(np.int32)))
+        numbers = [] if arrays["numbers"] is None else arrays["numbers"]
+        output.GetCellData().AddArray(copied("Operand", np.asarray(numbers, np.int32)))
         texts = vtkStringArray()
         texts.SetName("OperandNames")
         for name in names:

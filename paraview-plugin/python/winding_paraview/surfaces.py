@@ -19,7 +19,7 @@ from .grids import VTK_UNSIGNED_CHAR, GridAlgorithm, sample_count, whole_extent
 from .ranks import Ranks
 from .sources import kind_of
 
-_SHARP = 1
+_SMOOTH = 0
 _FIDELITY = (("LargestDistanceFromInput", "largest_from_source"),
              ("MeanDistanceFromInput", "mean_from_source"),
              ("LargestDistanceToInput", "largest_to_source"),
@@ -124,11 +124,15 @@ class SurfaceAlgorithm(GridAlgorithm):
 
     def add_mesh(self, arrays, output, image):
         """Adds the surface and the samples of a mesh of the library to the outputs."""
+        of_faces = self.value("Features") != _SMOOTH
+        names = ("points", "polygon_normals" if of_faces else "point_normals")
+        for name in names:  # which the library does not have of an empty surface
+            if arrays[name] is None:
+                arrays[name] = np.empty((0, 3), np.float32)
         polydata_of(arrays, output=output)
-        if arrays["point_normals"] is not None:
-            output.GetPointData().SetNormals(copied("Normals", arrays["point_normals"], 3))
-        if arrays["polygon_normals"] is not None:
-            output.GetCellData().SetNormals(copied("Normals", arrays["polygon_normals"], 3))
+        if self.value("GenerateNormals"):
+            attributes = output.GetCellData() if of_faces else output.GetPointData()
+            attributes.SetNormals(copied("Normals", arrays[names[1]], 3))
         if arrays["inside"] is not None:
             image.SetDimensions(*self.grid.dimensions)
             image.SetOrigin(*self.grid.origin)
