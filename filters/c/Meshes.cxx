@@ -97,11 +97,12 @@ public:
     }
   }
 
-  /// Warns of what the edges say of the field; `isWhole` says whether it is the whole result.
-  void warn(bool isWhole)
+  /// Warns of what the edges say of the field; `isWhole` says whether it is a whole result, and
+  /// `isLast` whether its surface is.
+  void warn(bool isWhole, bool isLast)
   {
     const bool isAllInside = edges_.size() == 0 && edges_.beginsInside(0, 0);
-    if (isAllInside && isWhole)
+    if (isAllInside && isLast && !options_.generate_image)
     {
       call_.warn(winding::allInsideAdvice());
     }
@@ -109,7 +110,9 @@ public:
     result.sides = edges_.sides();
     result.isEmpty = edges_.size() == 0 && !isAllInside;
     result.mayCloseBorder = options_.close_border == 0;
-    result.withoutAdvice = !isWhole;
+    // Operands may lie beyond the grid, or end there.
+    const bool isLost = result.isEmpty && !winding::missesSource(grid_, field_.info().bounds);
+    result.withoutAdvice = !isWhole && !isLost;
     result.isInside = [this](int i, int j, int k)
     {
       return edges_.isSampleInside({i, j, k});
@@ -141,10 +144,13 @@ public:
   winding::ShapedSolid shaped(const winding::SolidShape& shape)
   {
     setShare(call_, share_, 0.5, 1);
-    winding::ShapedSolid made(field_, grid_, ruleOf(rule_), rule_.winding_threshold, edges_, roots_,
-      shape, options_.features == WINDING_FEATURES_SHARP, call_.executor);
-    const auto advice = winding::shapeAdvice(grid_, shape, made.edges().size() == 0);
-    if (advice)
+    winding::ShapedSolid made(field_, grid_, ruleOf(rule_), rule_.winding_threshold,
+      handle_.tolerance, edges_, roots_, shape, options_.features == WINDING_FEATURES_SHARP,
+      call_.executor);
+    const bool isSame = made.edges().size() == 0;
+    const bool isAllInside = isSame && made.edges().beginsInside(0, 0);
+    const auto advice = winding::shapeAdvice(grid_, shape, isSame, isAllInside);
+    if (advice && !(isAllInside && options_.generate_image))
     {
       call_.warn(*advice);
     }
@@ -326,7 +332,7 @@ winding_status winding_level_surface(const winding_field* field, const winding_g
               const winding::SolidShape shape = shapeOf(wished);
               if (!winding::isSheet(handle.field->info(), shape))
               {
-                surface.warn(true);
+                surface.warn(true, shape.isPlain());
               }
               if (shape.isPlain())
               {
@@ -373,6 +379,10 @@ winding_status winding_boolean(const winding_field* const* fields, size_t count,
       const auto kind = static_cast<winding::BooleanOperation>(operation);
       const Grid samples = gridOf(grid);
       const winding_surface_options wished = checkedOptions(options, samples);
+      if (wished.fill_cavities || wished.offset != 0 || wished.shell != 0)
+      {
+        throw Misuse("options have a shape, which a result of several solids does not take");
+      }
       std::vector<winding_rule> inside(count, defaultRule());
       for (std::size_t i = 0; i < count; ++i)
       {
@@ -399,7 +409,7 @@ winding_status winding_boolean(const winding_field* const* fields, size_t count,
               [&]
               {
                 surface.findEdges();
-                surface.warn(false);
+                surface.warn(false, false);
                 surface.findRoots();
               });
             edges.push_back(&surface.edges());
@@ -414,8 +424,17 @@ winding_status winding_boolean(const winding_field* const* fields, size_t count,
             &combined.operands, wished, call, made);
           if (result.size() == 0)
           {
-            call.warn(result.beginsInside(0, 0) ? winding::allInsideAdvice()
-                                                : winding::emptyResultAdvice());
+            const bool isAllInside = result.beginsInside(0, 0);
+            if (!(isAllInside && wished.generate_image))
+            {
+              call.warn(isAllInside
+                          ? winding::allInsideAdvice()
+                          : winding::emptyResultAdvice(kind != winding::BooleanOperation::unite));
+            }
+          }
+          else if (!wished.close_border && !wished.generate_image && result.reachesBorder())
+          {
+            call.warn(winding::openResultAdvice());
           }
         });
     });

@@ -536,7 +536,7 @@ extern "C"
   {
     WINDING_DISTANCES_FROM_NOTHING = 0, /**< there is no offset and no shell */
     WINDING_DISTANCES_FROM_SOURCE = 1,
-    WINDING_DISTANCES_FROM_SURFACE = 2 /**< the surface without offset and shell */
+    WINDING_DISTANCES_FROM_SURFACE = 2 /**< the surface of the solid */
   } winding_distances_from;
 
   /** The arrays of a mesh, which belong to it. Those that it does not have are null. */
@@ -635,8 +635,8 @@ extern "C"
   /**
    * How the surface between inside and outside is made. Cavities are filled, the surface moves by
    * an offset, and a shell replaces the solid, in this order. Distances are measured from the
-   * source where all of its triangles bound the solid, and else from the surface that the same
-   * options make without offset and shell.
+   * source where all of its triangles bound the solid, and else from the surface of the solid on
+   * this grid, or on a finer one where this grid reaches far beyond the source.
    */
   typedef struct winding_surface_options
   {
@@ -702,12 +702,13 @@ extern "C"
    * @param operation a winding_operation
    * @param grid the samples
    * @param rules the rule for what is inside of each; null for the defaults
-   * @param options null for the defaults
+   * @param options null for the defaults; offset, shell and fill_cavities are 0
    * @param run null for the defaults
    * @param mesh receives the surface, or null; winding_mesh_free() gives it back
    * @param refusal receives why the call was refused, unless it is null
    *
-   * Warns of fields as winding_evaluate_grid() does, but not of the grid, and of an empty result.
+   * Warns of fields as winding_evaluate_grid() does, but of the grid only where no sample is inside
+   * of one of them, of an empty result, and of one that is open at the border of the grid.
    */
   WINDING_API winding_status winding_boolean(const winding_field* const* fields, size_t count,
     int32_t operation, const winding_grid* grid, const winding_rule* rules,

@@ -5,11 +5,14 @@
 #include "base/Refusal.h"
 #include "field/Field.h"
 #include "level/CombinedRoots.h"
+#include "level/LevelMemory.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
+#include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
+#include "private/source/NamedBlocks.h"
 #include "private/source/SourceProperties.h"
 #include "report/GridAdvice.h"
 #include "report/InputUnits.h"
@@ -222,7 +225,7 @@ const winding::FieldInfo& vtkWindingNumberBoolean::GetSourceInfo() const
 /// Returns the operands as blocks with names.
 vtkDataObject* vtkWindingNumberBoolean::GetSource()
 {
-  std::vector<std::pair<vtkDataObject*, std::string>> sources;
+  std::vector<std::pair<vtkSmartPointer<vtkDataObject>, std::string>> sources;
   for (int port = 0; port < this->GetNumberOfSourcePorts(); ++port)
   {
     for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
@@ -230,8 +233,11 @@ vtkDataObject* vtkWindingNumberBoolean::GetSource()
       sources.emplace_back(this->GetInputDataObject(port, i), this->GetName(port, i));
     }
   }
-  auto* blocks =
-    sources.size() == 1 ? vtkMultiBlockDataSet::SafeDownCast(sources.front().first) : nullptr;
+  vtkSmartPointer<vtkMultiBlockDataSet> blocks;
+  if (sources.size() == 1)
+  {
+    blocks = vtkMultiBlockDataSet::SafeDownCast(winding::asBlock(sources.front().first));
+  }
   if (blocks)
   {
     sources.clear();
@@ -243,23 +249,27 @@ vtkDataObject* vtkWindingNumberBoolean::GetSource()
         isNamed ? winding::textOf(blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME())) : "");
     }
   }
-  this->Blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  for (std::size_t i = 0; i < sources.size(); ++i)
-  {
-    const auto block = static_cast<unsigned int>(i);
-    const std::string& given = sources[i].second;
-    const std::string name = given.empty() ? "Input " + std::to_string(i + 1) : given;
-    this->Blocks->SetBlock(block, sources[i].first);
-    this->Blocks->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name.c_str());
-  }
+  this->Blocks = winding::namedBlocksOf(sources);
   return this->Blocks;
 }
 
-/// Finds the bounds of what the result can reach.
+/// Returns whether the solid of an operand may reach beyond its source: with a low threshold it
+/// does, and beyond the rim of a sheet.
+bool vtkWindingNumberBoolean::ReachesBeyondSource(int operand) const
+{
+  constexpr double withinHull = 0.5; // w is less outside of the convex hull
+  return !winding::textOf(this->SheetSide).empty() ||
+         (this->GetOperandInsideRule(operand) != ODD &&
+           this->GetOperandThreshold(operand) < withinHull);
+}
+
+/// Finds the bounds of what the result can reach. Operands that reach beyond their sources set no
+/// limit to the others.
 bool vtkWindingNumberBoolean::GetSourceBounds(vtkDataObject* source, double bounds[6])
 {
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(source);
   winding::Bounds first, all, common;
+  bool hasCommon = false;
   for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
   {
     this->ChooseSource(i, "");
@@ -271,7 +281,11 @@ bool vtkWindingNumberBoolean::GetSourceBounds(vtkDataObject* source, double boun
       box.extend(Eigen::Vector3d(own[1], own[3], own[5]));
     }
     first = i == 0 ? box : first;
-    common = i == 0 ? box : common.intersection(box);
+    if (!this->ReachesBeyondSource(static_cast<int>(i)))
+    {
+      common = hasCommon ? common.intersection(box) : box;
+      hasCommon = true;
+    }
     all.extend(box);
   }
   if (this->Operation == DIFFERENCE && !first.isEmpty())
@@ -293,7 +307,10 @@ bool vtkWindingNumberBoolean::GetSourceBounds(vtkDataObject* source, double boun
 std::size_t vtkWindingNumberBoolean::GetAdditionalBytes(const winding::Field& field, vtkIdType)
 {
   double edges = 0;
-  return static_cast<std::size_t>(this->GetBytesOfSurface(field, edges) + this->KeptBytes) +
+  const double ofOperand = this->GetBytesOfSurface(field, edges);
+  const std::size_t ofResult =
+    winding::bytesOfCombinedSurface(this->GetSampling(), this->KeptEdges + edges);
+  return static_cast<std::size_t>(ofOperand + this->KeptBytes) + ofResult +
          this->GetBytesOfNearest(field);
 }
 
@@ -322,7 +339,7 @@ int vtkWindingNumberBoolean::RequestData(
   this->SetVerification(winding::Verification());
   *this->Facts = winding::LabelFacts();
   this->Facts->expected = count;
-  this->KeptBytes = 0;
+  this->KeptBytes = this->KeptEdges = 0;
   this->EarlierSeconds = 0;
   double prepareSeconds = 0, evaluateSeconds = 0;
   std::vector<Operand> operands;
@@ -379,6 +396,11 @@ vtkWindingNumberBoolean::Operand vtkWindingNumberBoolean::MakeOperand(
       operand.edges = std::make_unique<winding::LevelEdges>(field, grid,
         winding::coreInsideRule(this->InsideRule), this->WindingThreshold, this->CloseBorder != 0);
       this->FindEdges(*operand.edges, field, executor);
+      const bool isLost = operand.edges->size() == 0 && !operand.edges->beginsInside(0, 0);
+      if (isLost && !winding::missesSource(grid, field.info().bounds))
+      {
+        this->WarnOfGrid(field, true, [](int, int, int) { return false; });
+      }
       operand.roots = this->FindRoots(field, *operand.edges, executor);
     });
   this->EarlierSeconds = this->TakenSeconds;
@@ -387,6 +409,7 @@ vtkWindingNumberBoolean::Operand vtkWindingNumberBoolean::MakeOperand(
     sizeof(winding::GridEdge) + 2 * sizeof(float) + sizeof(double) + sizeof(Eigen::Vector3f);
   this->KeptBytes += winding::LevelEdges::bytesOfRows(grid) +
                      bytesPerEdge * static_cast<double>(operand.edges->size());
+  this->KeptEdges += static_cast<double>(operand.edges->size());
   return operand;
 }
 
@@ -395,6 +418,9 @@ void vtkWindingNumberBoolean::MakeResult(const std::vector<Operand>& operands, v
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   executor.setShare(0, 1);
   const auto operation = static_cast<winding::BooleanOperation>(this->Operation);
+  winding::refuseBeyondFreeMemory(
+    static_cast<double>(winding::bytesOfCombinedSurface(this->GetSampling(), this->KeptEdges)),
+    "the surface of the result", {winding::largerVoxels()});
   std::vector<const winding::LevelEdges*> edges;
   std::vector<winding::LevelOperand> parts;
   for (const Operand& operand : operands)
@@ -416,7 +442,12 @@ void vtkWindingNumberBoolean::MakeResult(const std::vector<Operand>& operands, v
   }
   if (!this->TellAllInside(result) && result.size() == 0)
   {
-    vtkWarningMacro(<< winding::lineOf(winding::emptyResultAdvice()));
+    vtkWarningMacro(<< winding::lineOf(winding::emptyResultAdvice(this->Operation != UNION)));
+  }
+  else if (!this->CloseBorder && !this->GenerateImage && result.size() > 0 &&
+           result.reachesBorder())
+  {
+    vtkWarningMacro(<< winding::lineOf(winding::openResultAdvice()));
   }
   this->UpdateProgress(1);
 }

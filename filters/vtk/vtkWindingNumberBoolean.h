@@ -26,7 +26,9 @@
  * give no slivers, as each sample has one answer for both.
  *
  * The grid is laid over what the result can reach: the bounds of the first operand for a
- * difference, the common part of all bounds for an intersection, all bounds else.
+ * difference, the common part of all bounds for an intersection, all bounds else. Operands with a
+ * threshold below 0.5, and all where a SheetSide is set, reach beyond their sources, and count for
+ * no common part. A result that ends at the border of the grid gets a warning.
  *
  * The cell array "Operand" says which operand a face lies on, counted from 0. The field data have
  * their names, "OperandNames".
@@ -101,15 +103,15 @@ public:
   ///@}
 
   ///@{
-  /// The names of the connections of port 0, counted from 0, for warnings and OperandNames. Default:
-  /// "Input 1" for the first operand, and so on; or the name of its block.
+  /// The names of the connections of port 0, counted from 0, for warnings and OperandNames.
+  /// Default: "Input 1" for the first operand, and so on; or the name of its block.
   void SetInputName(int connection, const char* name);
   const char* GetInputName(int connection) const;
   void ClearInputNames();
   ///@}
 
   ///@{
-  /// The names of the connections of port 1, as those of port 0.
+  /// The names of the connections of port 1, in the same way.
   void SetOtherName(int connection, const char* name);
   const char* GetOtherName(int connection) const;
   void ClearOtherNames();
@@ -140,6 +142,7 @@ private:
 
   void SetName(int port, int connection, const char* name);
   const char* GetName(int port, int connection) const;
+  bool ReachesBeyondSource(int operand) const;
   Operand MakeOperand(vtkDataObject* source, const std::string& name);
   void MakeResult(const std::vector<Operand>& operands, vtkPolyData* output);
 
@@ -149,6 +152,7 @@ private:
   vtkSmartPointer<vtkMultiBlockDataSet> Blocks;
   std::unique_ptr<winding::LabelFacts> Facts;
   double KeptBytes = 0; ///< of the operands that are done
+  double KeptEdges = 0; ///< of the same
 };
 
 #endif

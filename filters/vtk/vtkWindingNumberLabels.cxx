@@ -9,6 +9,7 @@
 #include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
+#include "private/source/NamedBlocks.h"
 #include "private/source/SolidBlocks.h"
 #include "private/source/Solids.h"
 #include "private/source/SourceProperties.h"
@@ -108,15 +109,12 @@ vtkDataObject* vtkWindingNumberLabels::GetSource()
   {
     return this->Superclass::GetSource();
   }
-  this->Blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  std::vector<std::pair<vtkSmartPointer<vtkDataObject>, std::string>> sources;
   for (int i = 0; i < count; ++i)
   {
-    const std::string name = this->GetInputName(i);
-    const auto block = static_cast<unsigned int>(i);
-    this->Blocks->SetBlock(block, this->GetInputDataObject(0, i));
-    this->Blocks->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(),
-      name.empty() ? ("Input " + std::to_string(i + 1)).c_str() : name.c_str());
+    sources.emplace_back(this->GetInputDataObject(0, i), this->GetInputName(i));
   }
+  this->Blocks = winding::namedBlocksOf(sources);
   return this->Blocks;
 }
 

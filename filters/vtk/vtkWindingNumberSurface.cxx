@@ -144,7 +144,9 @@ std::shared_ptr<const winding::DistanceTree> vtkWindingNumberSurface::MakeSurfac
       winding::LevelEdges edges(field, grid, winding::coreInsideRule(this->InsideRule),
         this->WindingThreshold, this->CloseBorder != 0);
       this->FindEdges(edges, field, executor);
-      const bool isAllInside = this->TellAllInside(edges);
+      const winding::SolidShape shape = this->GetShape();
+      const bool isAllInside = shape.isPlain() ? this->TellAllInside(edges)
+                                               : edges.size() == 0 && edges.beginsInside(0, 0);
       if (this->InsideMatters(field.info()))
       {
         this->WarnOfGrid(field, edges.size() == 0 && !isAllInside,
@@ -158,7 +160,6 @@ std::shared_ptr<const winding::DistanceTree> vtkWindingNumberSurface::MakeSurfac
         roots = this->FindRoots(field, edges, executor);
         return roots;
       };
-      const winding::SolidShape shape = this->GetShape();
       if (shape.isPlain())
       {
         this->MakePolyData(edges, findRoots, nullptr, executor, output);
@@ -168,7 +169,8 @@ std::shared_ptr<const winding::DistanceTree> vtkWindingNumberSurface::MakeSurfac
       {
         findRoots();
         const winding::ShapedSolid shaped(field, grid, winding::coreInsideRule(this->InsideRule),
-          this->WindingThreshold, edges, roots, shape, this->Features == SHARP, executor);
+          this->WindingThreshold, this->Tolerance, edges, roots, shape, this->Features == SHARP,
+          executor);
         this->MakePolyData(
           shaped.edges(), [&]() -> const winding::EdgeRoots& { return shaped.roots(); }, nullptr,
           executor, output);
@@ -198,12 +200,13 @@ void vtkWindingNumberSurface::TellShape(const winding::ShapedSolid& shaped, vtkP
     base->SetName("DistancesFrom");
     base->InsertNextValue(shaped.base() == winding::DistanceBase::source ? "source" : "surface");
     output->GetFieldData()->AddArray(base);
-    const auto advice =
-      winding::shapeAdvice(this->GetSampling(), shape, shaped.edges().size() == 0);
-    if (advice)
-    {
-      vtkWarningMacro(<< winding::lineOf(*advice));
-    }
+  }
+  const bool isSame = shaped.edges().size() == 0;
+  const bool isAllInside = isSame && shaped.edges().beginsInside(0, 0);
+  const auto advice = winding::shapeAdvice(this->GetSampling(), shape, isSame, isAllInside);
+  if (advice && !(isAllInside && this->GenerateImage))
+  {
+    vtkWarningMacro(<< winding::lineOf(*advice));
   }
 }
 

@@ -18,9 +18,9 @@
  * **Offsets and shells.** FillCavities, Offset and Shell change the solid, in this order, before
  * its surface is made. Vertices of a smooth surface lie at the exact distance. It is measured from
  * the source's triangles where all of them bound the solid, and for a centered shell of any open
- * surface. In all other cases it is measured from the surface that the filter makes without Offset
- * and Shell: of clouds, of solids that overlap, of cavities that are filled, of holes that w
- * closes. The field data say which, as string array "DistancesFrom": "source" or "surface".
+ * surface. In all other cases it is measured from the surface that the same number of voxels makes
+ * of the source alone: of clouds, of solids that overlap, of cavities that are filled, of holes
+ * that w closes. The field data say which, as string array "DistancesFrom": "source" or "surface".
  *
  * Errors, each one line through vtkErrorMacro, are vtkWindingNumberField's, and grids with
  * only one voxel along an axis.
@@ -69,7 +69,8 @@ public:
 
   ///@{
   /// The thickness of the shell that replaces the solid, as a length in the source's unit; 0, the
-  /// default, for no shell. A shell thinner than a voxel has holes, and a warning says so.
+  /// default, for no shell. A shell thinner than a voxel's diagonal may have holes, and a warning
+  /// says so.
   vtkSetMacro(Shell, double);
   vtkGetMacro(Shell, double);
   ///@}

@@ -194,7 +194,8 @@ protected:
   void FindEdges(
     winding::LevelEdges& edges, const winding::Field& field, winding::SmpExecutor& executor);
 
-  /// Warns of a grid all of whose samples are inside, and returns whether it is one.
+  /// Warns of a grid all of whose samples are inside, unless there is an image of them. Returns
+  /// whether it is one.
   bool TellAllInside(const winding::LevelEdges& edges);
 
   /// Finds where the surface of what is inside crosses these edges, with all the normals that the

@@ -30,14 +30,16 @@ def boolean(solids: list[fields.Field], operation: str = "union", *, resolution:
     kind = 0 if dtype is None else _library.TYPES[fields.float_type(dtype)]
     number = _options.choice("operation", operation, _options.OPERATIONS)
 
+    sides = [solid._sides() for solid in solids]
+
     def box():
-        found = reach_of(solids, number)
+        found = reach_of_fields(solids, sides, number)
         return [0, 1] * 3 if found is None else found
 
     grid = fields.grid_of(_grids.Plan(box, resolution=resolution, dimensions=dimensions,
                                       spacing=spacing, bounds=bounds, padding=padding), box)
     arrays = combine(
-        solids, [solid._sides() for solid in solids], number, grid,
+        solids, sides, number, grid,
         features=_options.choice("features", features, _options.FEATURES),
         close_border=_options.flag("close_border", close_border), type=kind)
     if arrays["points"] is None:
@@ -45,17 +47,36 @@ def boolean(solids: list[fields.Field], operation: str = "union", *, resolution:
     return arrays["points"], arrays["corners"].reshape(-1, 3)
 
 
-def reach_of(solids, operation):
-    """The box that the result of an operation can reach; None for no source."""
-    boxes = [fields.box_of([solid]) for solid in solids]
-    if operation == _options.OPERATIONS["difference"] and boxes[0] is not None:
-        return boxes[0]
-    if operation == _options.OPERATIONS["intersection"] and None not in boxes:
-        common = np.array(boxes)
+def reaches_beyond(rule, threshold, sheet_side):
+    """Whether a solid may reach beyond its source: with a low threshold, beyond the rim of a sheet."""
+    return bool(sheet_side) or (rule != _options.RULES["odd"] and threshold < 0.5)
+
+
+def reach_of(boxes, operation, are_beyond):
+    """The box that the result of an operation can reach; None for no source. The boxes are those of
+    the sources, or None. Solids that reach beyond theirs set no limit to others."""
+    if operation == _options.OPERATIONS["difference"] and boxes and boxes[0] is not None:
+        return list(boxes[0])
+    there = np.array([box for box in boxes if box is not None])
+    if not len(there):
+        return None
+    limits = [box for box, is_beyond in zip(boxes, are_beyond) if not is_beyond]
+    if operation == _options.OPERATIONS["intersection"] and limits and not any(
+            box is None for box in limits):
+        common = np.array(limits)
         low, high = common[:, ::2].max(axis=0), common[:, 1::2].min(axis=0)
         if (low <= high).all():
             return np.stack([low, high], 1).ravel().tolist()
-    return fields.box_of(solids)
+    low, high = there[:, ::2].min(axis=0), there[:, 1::2].max(axis=0)
+    return np.stack([low, high], 1).ravel().tolist()
+
+
+def reach_of_fields(solids, sides, operation):
+    """The box that the result of an operation on fields can reach; None for no source."""
+    return reach_of([fields.box_of([solid]) for solid in solids], operation, [
+        reaches_beyond(one.rule.inside_rule, one.rule.winding_threshold,
+                       solid._options["sheet_side"])
+        for solid, one in zip(solids, sides)])
 
 
 def combine(solids, sides, operation, grid, *, show=None, generate_normals=0, **settings):

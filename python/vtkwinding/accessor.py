@@ -325,7 +325,7 @@ class WindingAccessor:
         the surface moves outward, inward if negative. shell is the thickness of the shell that
         replaces the solid, 0 for none; shell_side is 'inward', 'outward' or 'centered', which
         thickens an open surface as a sheet. The field data 'DistancesFrom' say whether distances
-        are from this mesh, 'source', or from the 'surface' without offset and shell.
+        are from this mesh, 'source', or from the 'surface' of the solid.
 
         transfer_attributes: whether points take over what the nearest face, or point of a cloud,
             has there, and faces what the cell nearest to their middle has. Floats and colours are
@@ -433,7 +433,7 @@ class WindingAccessor:
         solids, sides = zip(*made)
 
         def bounds():
-            found = _booleans.reach_of(solids, number)
+            found = _booleans.reach_of_fields(solids, sides, number)
             if found is None:
                 raise WindingError("the inputs are empty: give bounds (bounds=)")
             return found

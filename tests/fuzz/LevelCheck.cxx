@@ -337,7 +337,7 @@ std::string checkShape(Choices& choices)
   const auto make = [&](Executor& executor)
   {
     return std::make_unique<const ShapedSolid>(*solid.field, grid, solid.rule, solid.threshold,
-      solid.edges, solid.roots, shape, isSharp, executor);
+      1e-3, solid.edges, solid.roots, shape, isSharp, executor);
   };
   const auto shaped = make(serial), again = make(backward);
   if (!areSame(shaped->edges(), again->edges()) ||

@@ -5,12 +5,16 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkCubeSource.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
@@ -18,6 +22,7 @@
 #include "vtkStringArray.h"
 #include "vtkTriangleFilter.h"
 #include "vtkWindingNumberBoolean.h"
+#include "vtkWindingNumberLabels.h"
 #include "vtkWindingNumberProbe.h"
 
 #include <gtest/gtest.h>
@@ -352,6 +357,78 @@ TEST_F(Boolean, RefusesByTheNameOfTheOperand)
   EXPECT_NE(log.errors().find("the points have no normals"), std::string::npos) << log.errors();
   EXPECT_NE(log.errors().find("solid 'tool'"), std::string::npos) << log.errors();
   EXPECT_EQ(filter->GetStatus(), Filter::REFUSED);
+}
+
+/// Blocks of VTK take no partitioned data sets, and booleans of them do.
+TEST_F(Boolean, TakesPartitionedDataSets)
+{
+  const auto a = boxOf(0, 1, 0, 1, 0, 1), b = boxOf(0.5, 1.5, 0, 1, 0, 1);
+  vtkNew<vtkPartitionedDataSet> parts;
+  parts->SetPartition(0, b);
+  vtkNew<vtkPartitionedDataSetCollection> both;
+  both->SetPartition(0, 0, a);
+  both->SetPartition(1, 0, b);
+  both->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "tool");
+  filter->SetFeatures(Filter::SHARP);
+  this->made(a, parts, Filter::DIFFERENCE);
+  EXPECT_NEAR(this->volume(), 0.5, 1e-4);
+  this->made(a, both, Filter::DIFFERENCE); // one operand, of two parts
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  vtkNew<Filter> alone;
+  alone->SetInputDataObject(both);
+  alone->SetOperationToIntersection();
+  alone->Update();
+  auto* names = vtkStringArray::SafeDownCast(
+    alone->GetOutput()->GetFieldData()->GetAbstractArray("OperandNames"));
+  ASSERT_NE(names, nullptr);
+  EXPECT_EQ(names->GetValue(0), "Input 1");
+  EXPECT_EQ(names->GetValue(1), "tool");
+  vtkNew<vtkWindingNumberLabels> labels;
+  labels->AddInputData(parts);
+  labels->AddInputData(a);
+  labels->Update();
+  EXPECT_EQ(labels->GetNumberOfSolids(), 2);
+}
+
+/// A threshold below 0 makes the complement of a solid that is inside out.
+TEST_F(Boolean, IsNotCutOffWhereOperandsReachBeyondTheirSources)
+{
+  vtkNew<vtkReverseSense> reversed;
+  reversed->SetInputData(boxOf(0.5, 1.5, 0.5, 1.5, 0.5, 1.5));
+  reversed->Update();
+  filter->SetOperandThreshold(1, -0.5);
+  filter->SetFeatures(Filter::SHARP);
+  this->made(boxOf(0, 1, 0, 1, 0, 1), reversed->GetOutput(), Filter::INTERSECTION);
+  this->expectClosed();
+  EXPECT_NEAR(this->volume(), 0.875, 1e-4);
+  const ErrorLog log(filter);
+  filter->SetOperationToUnion();
+  filter->Update();
+  EXPECT_NE(log.warnings().find("the result reaches the border of the grid"), std::string::npos)
+    << log.warnings();
+  filter->CloseBorderOn();
+  filter->Update();
+  this->expectClosed();
+}
+
+TEST_F(Boolean, WarnsOfOperandsThatTheGridDoesNotShow)
+{
+  const auto warningsOf = [this](vtkDataObject* tool, int operation)
+  {
+    filter->SetInputDataObject(0, boxOf(0, 1, 0, 1, 0, 1));
+    filter->SetInputDataObject(1, tool);
+    filter->SetOperation(operation);
+    filter->SetOtherName(0, "tool");
+    const ErrorLog log(filter);
+    filter->Update();
+    return log.warnings();
+  };
+  const auto thin = boxOf(-0.5, 1.5, -0.5, 1.5, 0.5, 0.501), far = boxOf(5, 6, 5, 6, 5, 6);
+  EXPECT_NE(warningsOf(thin, Filter::DIFFERENCE).find("'tool': the source is thinner than three"),
+    std::string::npos);
+  EXPECT_EQ(warningsOf(far, Filter::DIFFERENCE), "");
+  EXPECT_NE(
+    warningsOf(far, Filter::INTERSECTION).find("see whether the solids meet"), std::string::npos);
 }
 
 TEST_F(Boolean, WarnsByTheNameOfTheOperand)

@@ -7,6 +7,7 @@
 #include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
@@ -213,10 +214,54 @@ TEST_F(Shape, SaysWhatIsLost)
   };
   filter->SetShell(0.01);
   EXPECT_NE(warnings().find("the shell is thinner than a voxel"), std::string::npos);
+  filter->SetShell(1.2 * voxelOf(filter)); // as a voxel's diagonal is longer
+  EXPECT_NE(warnings().find("the shell is thinner than a voxel's diagonal"), std::string::npos);
+  filter->SetShell(1.8 * voxelOf(filter));
+  EXPECT_EQ(warnings(), "");
   filter->SetShell(0);
   filter->SetOffset(-1.5);
-  EXPECT_NE(warnings().find("nothing is left of the solid"), std::string::npos);
+  EXPECT_NE(warnings().find("move its surface less far inward"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+/// Where the grid is all inside, the advice is that of a plain surface, once.
+TEST_F(Shape, SaysWhereAllIsInside)
+{
+  filter->SetInputData(ball(1));
+  filter->UseInputBoundsOff();
+  filter->SetSamplingBounds(-0.5, 0.5, -0.5, 0.5, -0.5, 0.5);
+  const auto count = [&]
+  {
+    const ErrorLog log(filter);
+    filter->Update();
+    EXPECT_EQ(log.warnings().find("nothing is left"), std::string::npos) << log.warnings();
+    const std::string fact = "all samples are inside";
+    const auto at = log.warnings().find(fact);
+    return at == std::string::npos                                  ? 0
+           : log.warnings().find(fact, at + 1) == std::string::npos ? 1
+                                                                    : 2;
+  };
+  filter->SetOffset(0.5);
+  EXPECT_EQ(count(), 1);
+  filter->SetOffset(0);
+  filter->FillCavitiesOn();
+  EXPECT_EQ(count(), 1);
+  filter->GenerateImageOn();
+  EXPECT_EQ(count(), 0);
+}
+
+TEST_F(Shape, SaysHowToThickenASheet)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(10, 10);
+  plane->Update();
+  filter->SetInputData(plane->GetOutput());
+  filter->SetShell(0.1);
+  const ErrorLog log(filter);
+  filter->Update();
+  EXPECT_NE(log.warnings().find("thicken an open sheet on both sides (SetShellSide(CENTERED))"),
+    std::string::npos)
+    << log.warnings();
 }
 
 TEST_F(Shape, RefusesValuesOutOfRange)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 
 namespace winding
 {
@@ -16,23 +17,14 @@ namespace
 class OutsideRuns
 {
 public:
-  OutsideRuns(const LevelEdges& solid, const Grid& grid)
+  OutsideRuns(const LevelEdges& solid, const Grid& grid, Executor& executor)
     : dimensions_(grid.dimensions)
-    , sets_(this->findRuns(solid))
+    , sets_(this->findRuns(solid, executor))
   {
+    // Sets are united one after the other. Between layers the executor looks for interrupts.
     for (int k = 0; k < dimensions_[2]; ++k)
     {
-      for (int j = 0; j < dimensions_[1]; ++j)
-      {
-        if (j > 0)
-        {
-          this->unite(this->rowOf(j, k), this->rowOf(j - 1, k));
-        }
-        if (k > 0)
-        {
-          this->unite(this->rowOf(j, k), this->rowOf(j, k - 1));
-        }
-      }
+      executor.runBriefly(1, [&](std::size_t) { this->uniteLayer(k); });
     }
     this->findCavities();
   }
@@ -77,27 +69,63 @@ private:
            static_cast<std::size_t>(j);
   }
 
-  /// Finds all runs, and returns a set for each.
-  DisjointSets findRuns(const LevelEdges& solid)
+  /// Finds all runs, first how many there are, and returns a set for each.
+  DisjointSets findRuns(const LevelEdges& solid, Executor& executor)
   {
-    std::vector<RowRun> runs;
-    for (int k = 0; k < dimensions_[2]; ++k)
+    const auto layers = static_cast<std::size_t>(dimensions_[2]);
+    starts_.assign(this->rowOf(0, dimensions_[2]) + 1, 0);
+    const auto forRuns = [&](const auto& visit)
     {
-      for (int j = 0; j < dimensions_[1]; ++j)
+      runBlocks(
+        layers, 1,
+        [&](std::size_t layer, std::size_t, std::size_t)
+        {
+          std::vector<RowRun> runs;
+          for (int j = 0; j < dimensions_[1]; ++j)
+          {
+            solid.findRuns(j, static_cast<int>(layer), runs);
+            visit(this->rowOf(j, static_cast<int>(layer)), runs);
+          }
+        },
+        executor);
+    };
+    forRuns(
+      [this](std::size_t row, const std::vector<RowRun>& runs)
       {
-        starts_.push_back(runs_.size());
-        solid.findRuns(j, k, runs);
+        starts_[row + 1] = static_cast<std::size_t>(std::count_if(
+          runs.begin(), runs.end(), [](const RowRun& run) { return run.value == 0; }));
+      });
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+    runs_.resize(starts_.back());
+    forRuns(
+      [this](std::size_t row, const std::vector<RowRun>& runs)
+      {
+        std::size_t next = starts_[row];
         for (const RowRun& run : runs)
         {
           if (run.value == 0)
           {
-            runs_.push_back({run.begin, run.end});
+            runs_[next++] = {run.begin, run.end};
           }
         }
+      });
+    return DisjointSets(runs_.size());
+  }
+
+  /// Unites the runs of a layer with their neighbours in it and in the layer before.
+  void uniteLayer(int k)
+  {
+    for (int j = 0; j < dimensions_[1]; ++j)
+    {
+      if (j > 0)
+      {
+        this->unite(this->rowOf(j, k), this->rowOf(j - 1, k));
+      }
+      if (k > 0)
+      {
+        this->unite(this->rowOf(j, k), this->rowOf(j, k - 1));
       }
     }
-    starts_.push_back(runs_.size());
-    return DisjointSets(runs_.size());
   }
 
   /// Unites the runs of two rows that have samples next to each other.
@@ -160,7 +188,7 @@ FilledCavities::FilledCavities(
   , edges(
       [&]
       {
-        const OutsideRuns outside(solid, grid);
+        const OutsideRuns outside(solid, grid, executor);
         count = outside.cavities();
         const auto rowRuns = [&](int j, int k, std::vector<RowRun>& runs)
         {
@@ -173,6 +201,15 @@ FilledCavities::FilledCavities(
   // All edges are the solid's own, so these are the roots of a union of one.
   , roots(CombinedRoots(edges, {{&solid, &solidRoots}}, BooleanOperation::unite, executor).roots)
 {
+}
+
+double FilledCavities::bytesFor(const Grid& grid, double edges)
+{
+  const double rows =
+    static_cast<double>(grid.dimensions[1]) * static_cast<double>(grid.dimensions[2]);
+  // A row has one run more than it has cavities and solids between them.
+  constexpr double perRun = 2 * sizeof(int) + sizeof(std::int32_t) + 2 * sizeof(char);
+  return rows * sizeof(std::size_t) + (rows + edges) * perRun;
 }
 
 } // namespace winding

@@ -22,6 +22,9 @@ struct FilledCavities
   FilledCavities(
     const LevelEdges& solid, const EdgeRoots& solidRoots, const Grid& grid, Executor& executor);
 
+  /// Returns the memory of the search for cavities among `edges` edges, in bytes.
+  static double bytesFor(const Grid& grid, double edges);
+
   std::size_t count; ///< of cavities
   LevelEdges edges;
   EdgeRoots roots;

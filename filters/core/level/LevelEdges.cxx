@@ -326,6 +326,28 @@ void LevelEdges::findRuns(int j, int k, std::vector<RowRun>& runs) const
   }
 }
 
+bool LevelEdges::reachesBorder() const
+{
+  const int width = grid_.dimensions[0], depth = grid_.dimensions[1], height = grid_.dimensions[2];
+  std::vector<RowRun> runs;
+  for (int k = 0; k < height; ++k)
+  {
+    for (int j = 0; j < depth; ++j)
+    {
+      this->findRuns(j, k, runs);
+      const bool isOuter = j == 0 || j == depth - 1 || k == 0 || k == height - 1;
+      for (const RowRun& run : runs)
+      {
+        if (run.value != 0 && (isOuter || run.begin == 0 || run.end == width))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
 void LevelEdges::writeInside(unsigned char* inside, Executor& executor) const
 {
   const Extent extent = grid_.wholeExtent();

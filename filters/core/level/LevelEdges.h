@@ -113,6 +113,9 @@ public:
   /// Whether a sample, of the border too if there is one, is inside.
   bool isSampleInside(const std::array<int, 3>& sample) const;
 
+  /// Whether any sample next to the end of the grid is inside.
+  bool reachesBorder() const;
+
   /// Describes a row of the grid, without its border, as runs with value 1 inside and 0 outside.
   void findRuns(int j, int k, std::vector<RowRun>& runs) const;
 

@@ -13,11 +13,13 @@ namespace
 /// The most memory at a time for each edge: itself, its crossings or its search, its vertex and the
 /// triangles around that. Measured at 512 and 1000 voxels along bunny_70k, maxplanck_open_90k and
 /// kitten_points_normals: 160, 275 and 200.
+constexpr double bytesPerKnownEdge = 160;
+
 double bytesPerEdge(const Field& field)
 {
   if (field.info().jumpsOnly())
   {
-    return 160;
+    return bytesPerKnownEdge;
   }
   return field.info().isSurface ? 275 : 200;
 }
@@ -57,6 +59,11 @@ double levelEdgesByCoarseGrid(const Field& field, const Grid& grid, InsideRule r
     count += factors.prod() / factors[edges[n].axis];
   }
   return count;
+}
+
+std::size_t bytesOfCombinedSurface(const Grid& grid, double edges)
+{
+  return static_cast<std::size_t>(LevelEdges::bytesOfRows(grid) + bytesPerKnownEdge * edges);
 }
 
 std::size_t bytesOfLevelSurface(const Field& field, double edges)

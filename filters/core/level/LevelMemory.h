@@ -24,4 +24,8 @@ double levelEdgesByCoarseGrid(const Field& field, const Grid& grid, InsideRule r
 /// edges of the grid: of everything that grows with them, the surface with its normals included.
 std::size_t bytesOfLevelSurface(const Field& field, double edges);
 
+/// Returns the memory of a result of several solids, which crosses `edges` edges of the grid if it
+/// crosses all of theirs: its own edges and roots, and its surface.
+std::size_t bytesOfCombinedSurface(const Grid& grid, double edges);
+
 } // namespace winding

@@ -1,13 +1,16 @@
 #include "level/ShapedSolid.h"
 
+#include "base/Refusal.h"
 #include "level/BandRoots.h"
 #include "level/BandSamples.h"
 #include "level/GridContour.h"
+#include "level/LevelRoots.h"
 #include "level/SharpContour.h"
 #include "source/Surface.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace winding
 {
@@ -15,40 +18,85 @@ namespace winding
 namespace
 {
 
-/**
- * Returns whether every triangle has the inside on one side and the outside on the other. Places
- * on both sides of its middle are asked, nearer than a sixteenth of the circle in it. Triangles
- * without area do not count.
- */
+/// The number of parts that a triangle's sides are cut into, so that points of it are no farther
+/// apart than `distance`.
+double partsOf(const Surface& surface, const Triangle& ids, double distance)
+{
+  const Eigen::Vector3d &a = surface.vertices[ids[0]], &b = surface.vertices[ids[1]],
+                        &c = surface.vertices[ids[2]];
+  const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+  return std::max(1.0, std::ceil(longest / distance));
+}
+
+/// Returns the distance at which to look at points of triangles: two voxels, or more where that
+/// would make too many.
+double distanceOfPlaces(const Surface& surface, double voxel)
+{
+  constexpr double most = 1 << 20;
+  double places = 0;
+  for (const Triangle& ids : surface.triangles)
+  {
+    const double parts = partsOf(surface, ids, 2 * voxel);
+    places += parts > 1 ? parts * parts : 0;
+  }
+  return 2 * voxel * std::max(1.0, std::sqrt(places / most));
+}
+
+/// Adds places on both sides of a triangle, at points no farther apart than about `distance`. They
+/// lie nearer to it than a 1024th of a voxel, and than a sixteenth of the circle in each part.
+/// Triangles without area have none.
+void addSidesOf(const Surface& surface, const Triangle& ids, double voxel, double distance,
+  std::vector<double>& to)
+{
+  const Eigen::Vector3d a = surface.vertices[ids[0]], ab = surface.vertices[ids[1]] - a,
+                        ac = surface.vertices[ids[2]] - a;
+  const Eigen::Vector3d areas = ab.cross(ac);
+  const double doubled = areas.stableNorm(), parts = partsOf(surface, ids, distance);
+  const double radius = doubled / (ab.norm() + ac.norm() + (ac - ab).norm()) / parts;
+  const Eigen::Vector3d step = std::min(voxel / 1024, radius / 16) * areas / doubled;
+  if (!step.allFinite() || step.isZero(0))
+  {
+    return;
+  }
+  const auto add = [&](double u, double v)
+  {
+    const Eigen::Vector3d middle = a + (u / parts) * ab + (v / parts) * ac;
+    for (const Eigen::Vector3d& place :
+      {Eigen::Vector3d(middle + step), Eigen::Vector3d(middle - step)})
+    {
+      to.insert(to.end(), place.data(), place.data() + 3);
+    }
+  };
+  constexpr double third = 1.0 / 3;
+  for (double i = 0; i < parts; ++i)
+  {
+    for (double j = 0; i + j < parts; ++j)
+    {
+      add(i + third, j + third);
+      if (i + j + 1 < parts)
+      {
+        add(i + 2 * third, j + 2 * third);
+      }
+    }
+  }
+}
+
+/// Returns whether every triangle has the inside on one side and the outside on the other, at
+/// points about two voxels apart.
 bool areAllBetweenSides(
   const Field& field, const Grid& grid, InsideRule rule, double threshold, Executor& executor)
 {
   const Surface& surface = *field.distinctSurface();
-  const double farthest = grid.spacing.minCoeff() / 1024;
-  constexpr std::size_t atOnce = 1 << 18;
+  const double voxel = grid.spacing.minCoeff(), distance = distanceOfPlaces(surface, voxel);
+  constexpr std::size_t atOnce = 3 << 18;
   std::vector<double> places;
   std::vector<unsigned char> inside;
-  for (std::size_t first = 0; first < surface.triangles.size(); first += atOnce)
+  for (std::size_t n = 0; n < surface.triangles.size();)
   {
     places.clear();
-    for (std::size_t n = first; n < std::min(first + atOnce, surface.triangles.size()); ++n)
+    for (; n < surface.triangles.size() && places.size() < atOnce; ++n)
     {
-      const Triangle& t = surface.triangles[n];
-      const Eigen::Vector3d a = surface.vertices[t[0]], ab = surface.vertices[t[1]] - a,
-                            ac = surface.vertices[t[2]] - a;
-      const Eigen::Vector3d areas = ab.cross(ac);
-      const double doubled = areas.stableNorm();
-      const double radius = doubled / (ab.norm() + ac.norm() + (ac - ab).norm());
-      const Eigen::Vector3d step = std::min(farthest, radius / 16) * areas / doubled;
-      if (step.allFinite() && !step.isZero(0))
-      {
-        const Eigen::Vector3d middle = a + (ab + ac) / 3;
-        for (const Eigen::Vector3d& place :
-          {Eigen::Vector3d(middle + step), Eigen::Vector3d(middle - step)})
-        {
-          places.insert(places.end(), place.data(), place.data() + 3);
-        }
-      }
+      addSidesOf(surface, surface.triangles[n], voxel, distance, places);
     }
     inside.resize(places.size() / 3);
     if (inside.empty())
@@ -60,15 +108,48 @@ bool areAllBetweenSides(
     output.rule = rule;
     output.threshold = threshold;
     field.evaluate(VectorsView(places.data(), inside.size()), output, executor);
-    for (std::size_t n = 0; n < inside.size(); n += 2)
+    for (std::size_t place = 0; place < inside.size(); place += 2)
     {
-      if (inside[n] == inside[n + 1])
+      if (inside[place] == inside[place + 1])
       {
         return false;
       }
     }
   }
   return true;
+}
+
+/// Returns a grid of as many voxels over a source as `grid` has over the result, which reaches
+/// beyond it; none where its voxels would hardly be smaller.
+std::optional<Grid> gridOverSource(const Grid& grid, const Bounds& source)
+{
+  constexpr double worthwhile = 0.9, padding = 1.1;
+  if (source.isEmpty())
+  {
+    return std::nullopt;
+  }
+  const Eigen::Vector3d lengths = grid.spacing.cwiseProduct(grid.dimensions.cast<double>());
+  const double share = padding * source.sizes().cwiseQuotient(lengths).maxCoeff();
+  if (!(share > 0 && share < worthwhile))
+  {
+    return std::nullopt;
+  }
+  Grid finer;
+  finer.spacing = share * grid.spacing;
+  finer.dimensions =
+    (source.sizes().cwiseQuotient(finer.spacing).array().ceil() + 4).matrix().cast<int>();
+  finer.firstSample =
+    source.center() -
+    0.5 * (finer.dimensions.array() - 1).matrix().cast<double>().cwiseProduct(finer.spacing);
+  try
+  {
+    checkGrid(finer);
+  }
+  catch (const Refusal&)
+  {
+    return std::nullopt;
+  }
+  return finer;
 }
 
 /// Makes triangles of the surface that crosses edges at their roots.
@@ -112,6 +193,33 @@ Surface surfaceOf(const Grid& grid, const LevelEdges& edges, const EdgeRoots& ro
   return surface;
 }
 
+/// Makes the surface of the solid of a field on a grid, by all that it takes.
+Surface surfaceOn(const Grid& grid, const Field& field, InsideRule rule, double threshold,
+  double tolerance, const SolidShape& shape, bool isSharp, Executor& executor)
+{
+  LevelEdges edges(field, grid, rule, threshold, true);
+  while (!edges.isDone())
+  {
+    edges.advance(executor);
+  }
+  LevelRoots search(field, grid, edges, rule, threshold, tolerance, executor);
+  while (!search.isDone())
+  {
+    search.advance(executor);
+  }
+  if (isSharp)
+  {
+    search.addGradients(executor);
+  }
+  const EdgeRoots roots = search.take();
+  if (!shape.fillsCavities)
+  {
+    return surfaceOf(grid, edges, roots, isSharp, executor);
+  }
+  const FilledCavities filled(edges, roots, grid, executor);
+  return surfaceOf(grid, filled.edges, filled.roots, isSharp, executor);
+}
+
 /// Returns the edges of a solid without a sample.
 std::unique_ptr<const LevelEdges> noEdges(const Grid& grid, bool withBorder, Executor& executor)
 {
@@ -132,8 +240,8 @@ bool isSheet(const FieldInfo& info, const SolidShape& shape)
 }
 
 ShapedSolid::ShapedSolid(const Field& field, const Grid& grid, InsideRule rule, double threshold,
-  const LevelEdges& solid, const EdgeRoots& roots, const SolidShape& shape, bool isSharp,
-  Executor& executor)
+  double tolerance, const LevelEdges& solid, const EdgeRoots& roots, const SolidShape& shape,
+  bool isSharp, Executor& executor)
   : edges_(&solid)
   , roots_(&roots)
 {
@@ -145,23 +253,29 @@ ShapedSolid::ShapedSolid(const Field& field, const Grid& grid, InsideRule rule, 
   }
   if (shape.hasDistances())
   {
-    this->move(
-      field, grid, rule, threshold, shape.band(), isSheet(field.info(), shape), isSharp, executor);
+    this->move(field, grid, rule, threshold, tolerance, shape, isSharp, executor);
   }
 }
 
-/// Moves the surface of the solid to the limits of a band.
+/// Moves the surface of the solid to the limits of its band.
 void ShapedSolid::move(const Field& field, const Grid& grid, InsideRule rule, double threshold,
-  const DistanceBand& band, bool isSheet, bool isSharp, Executor& executor)
+  double tolerance, const SolidShape& shape, bool isSharp, Executor& executor)
 {
+  const DistanceBand band = shape.band();
+  const auto [begin, end] = executor.share();
+  const bool isSheet = winding::isSheet(field.info(), shape);
+  executor.setShare(begin, begin);
   const bool isFromSource =
     isSheet || (field.info().jumpsOnly() && this->cavities() == 0 &&
                  areAllBetweenSides(field, grid, rule, threshold, executor));
   base_ = isFromSource ? DistanceBase::source : DistanceBase::surface;
   if (!isFromSource)
   {
+    const auto finer = gridOverSource(grid, field.info().bounds);
     surfaceTree_ = std::make_shared<const DistanceTree>(
-      surfaceOf(grid, *edges_, *roots_, isSharp, executor), executor);
+      finer ? surfaceOn(*finer, field, rule, threshold, tolerance, shape, isSharp, executor)
+            : surfaceOf(grid, *edges_, *roots_, isSharp, executor),
+      executor);
   }
   const DistanceTree& tree = isFromSource ? field.distanceTree(executor) : *surfaceTree_;
   const bool hasBorder = edges_->border() > 0;
@@ -171,7 +285,6 @@ void ShapedSolid::move(const Field& field, const Grid& grid, InsideRule rule, do
     none = noEdges(grid, hasBorder, executor);
     edges_ = none.get();
   }
-  const auto [begin, end] = executor.share();
   constexpr double shareOfSamples = 0.5;
   const double middle = begin + shareOfSamples * (end - begin);
   executor.setShare(begin, middle);
@@ -200,10 +313,17 @@ double ShapedSolid::bytesFor(
   double bytes = 0;
   if (shape.fillsCavities)
   {
-    bytes += LevelEdges::bytesOfRows(grid) + perRoot * edges;
+    bytes +=
+      LevelEdges::bytesOfRows(grid) + perRoot * edges + FilledCavities::bytesFor(grid, edges);
   }
   if (shape.hasDistances())
   {
+    if (const auto finer = gridOverSource(grid, field.info().bounds))
+    {
+      // Its surface is finer by the square of the voxels.
+      edges *= std::pow(grid.spacing.maxCoeff() / finer->spacing.maxCoeff(), 2);
+      bytes += LevelEdges::bytesOfRows(*finer) + LevelEdges::bytesOfSlab(*finer) + perRoot * edges;
+    }
     // The surface has two triangles and one vertex for an edge; a shell has two surfaces.
     constexpr double perTriangle = sizeof(Triangle) + 0.5 * sizeof(Eigen::Vector3d);
     const double surfaces = shape.shell > 0 ? 2 : 1;

@@ -28,22 +28,24 @@ bool isSheet(const FieldInfo& info, const SolidShape& shape);
  *
  * Distances are measured from the triangles of the source where these are the solid's surface: the
  * source is closed, and each triangle has the inside on one side only, a 1024th of a voxel away
- * from its middle. A shell about a sheet, which is centered and moved by 0, is measured from the
- * triangles of any open source; its inside does not matter. In all other cases distances are from
- * the solid's surface as the grid shows it, smooth or sharp: of clouds, of solids that overlap, of
- * filled cavities, of holes that the field closes.
+ * from points of it. These are two voxels apart, or farther where there would be more than a
+ * million. A shell about a sheet, which is centered and moved by 0, is measured from the triangles
+ * of any open source; its inside does not matter. In all other cases distances are from the solid's
+ * surface as a grid shows it, smooth or sharp: of clouds, of solids that overlap, of filled
+ * cavities, of holes that the field closes. Where the grid reaches far beyond the source, that is
+ * another grid, of as many voxels over the source alone.
  *
  * Guaranteed: the bits are the same for every executor.
  */
 class ShapedSolid
 {
 public:
-  /// Makes the shape of the solid of a field. `solid` and `roots` are its edges, which are done,
-  /// and their roots; with `isSharp` they have normals of all triangles. Keeps references to
-  /// `grid`, `solid` and `roots`. Throws Interrupted.
+  /// Makes the shape of the solid of a field, of which `tolerance` is. `solid` and `roots` are its
+  /// edges, which are done, and their roots; with `isSharp` they have normals of all triangles.
+  /// Keeps references to `grid`, `solid` and `roots`. Throws Interrupted.
   ShapedSolid(const Field& field, const Grid& grid, InsideRule rule, double threshold,
-    const LevelEdges& solid, const EdgeRoots& roots, const SolidShape& shape, bool isSharp,
-    Executor& executor);
+    double tolerance, const LevelEdges& solid, const EdgeRoots& roots, const SolidShape& shape,
+    bool isSharp, Executor& executor);
 
   /// Returns the memory of the shape of a solid whose surface crosses `edges` edges, in addition to
   /// that surface, in bytes.
@@ -62,7 +64,7 @@ public:
 
 private:
   void move(const Field& field, const Grid& grid, InsideRule rule, double threshold,
-    const DistanceBand& band, bool isSheet, bool isSharp, Executor& executor);
+    double tolerance, const SolidShape& shape, bool isSharp, Executor& executor);
 
   std::unique_ptr<const FilledCavities> filled_;
   std::unique_ptr<const LevelEdges> movedEdges_;

@@ -1,8 +1,10 @@
 #include "report/GridAdvice.h"
 #include "base/Refusal.h"
 
+#include <cmath>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 namespace winding
 {
@@ -89,25 +91,55 @@ Message allInsideAdvice()
       {"choose a larger grid", {Parameter::padding, Parameter::samplingBounds}}});
 }
 
-Message emptyResultAdvice()
+Message emptyResultAdvice(bool mayMiss)
 {
-  return Message("nothing is inside of the result, so the surface is empty",
-    {{"see whether the solids meet", {}}, smallerVoxels()});
+  std::vector<Remedy> remedies;
+  if (mayMiss)
+  {
+    remedies.push_back({"see whether the solids meet", {}});
+  }
+  remedies.push_back(smallerVoxels());
+  return Message("nothing is inside of the result, so the surface is empty", remedies);
 }
 
-std::optional<Message> shapeAdvice(const Grid& grid, const SolidShape& shape, bool isEmpty)
+Message openResultAdvice()
 {
-  if (shape.shell > 0 && shape.shell < grid.spacing.maxCoeff())
+  return Message("the result reaches the border of the grid, where its surface is open",
+    {{"close the border", {{Parameter::closeBorder, 1}}},
+      {"choose a larger grid", {Parameter::padding, Parameter::samplingBounds}}});
+}
+
+std::optional<Message> shapeAdvice(
+  const Grid& grid, const SolidShape& shape, bool isEmpty, bool isAllInside)
+{
+  if (isAllInside)
+  {
+    return allInsideAdvice();
+  }
+  // A wall of this thickness has a sample on each of its lines through neighbours.
+  const double thick = std::sqrt(3.0) * grid.spacing.maxCoeff();
+  if (shape.shell > 0 && shape.shell < thick)
   {
     char facts[80];
     std::snprintf(facts, sizeof facts, "voxels are %.3g long", grid.spacing.maxCoeff());
-    return Message("the shell is thinner than a voxel, so it has holes",
+    return Message("the shell is thinner than a voxel's diagonal, so it may have holes",
       {smallerVoxels(), {"choose a thicker shell", {Parameter::shell}}}, facts);
+  }
+  if (isEmpty && shape.shell > 0 && shape.shellSide != ShellSide::centered && shape.offset == 0)
+  {
+    return Message("nothing is left of the solid, so the surface is empty",
+      {{"thicken an open sheet on both sides",
+         {{Parameter::shellSide, static_cast<int>(ShellSide::centered)}}},
+        smallerVoxels()});
   }
   if (isEmpty && shape.hasDistances())
   {
-    return Message("nothing is left of the solid, so the surface is empty",
-      {{"move its surface less far inward", {Parameter::offset}}, smallerVoxels()});
+    std::vector<Remedy> remedies = {smallerVoxels()};
+    if (shape.offset < 0)
+    {
+      remedies.insert(remedies.begin(), {"move its surface less far inward", {Parameter::offset}});
+    }
+    return Message("nothing is left of the solid, so the surface is empty", remedies);
   }
   return std::nullopt;
 }

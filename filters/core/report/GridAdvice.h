@@ -34,11 +34,17 @@ void refuseFlatGrid(const Grid& grid);
 /// Returns what to do about a surface that is empty because all samples are inside.
 Message allInsideAdvice();
 
-/// The warning for an operation on solids that leaves nothing.
-Message emptyResultAdvice();
+/// The warning for an operation on solids that leaves nothing. `mayMiss` says whether it does where
+/// they do not meet.
+Message emptyResultAdvice(bool mayMiss);
 
-/// Returns what to do about the shape of a solid that leaves nothing, or is too thin for the grid.
-std::optional<Message> shapeAdvice(const Grid& grid, const SolidShape& shape, bool isEmpty);
+/// The warning for a result of solids that reaches the border of the grid.
+Message openResultAdvice();
+
+/// Returns what to do about the shape of a solid that leaves nothing, that is all of the grid, or
+/// that is too thin for it.
+std::optional<Message> shapeAdvice(
+  const Grid& grid, const SolidShape& shape, bool isEmpty, bool isAllInside);
 
 /// Returns the remedy for sources that reach the threshold nowhere.
 inline Remedy lowerThreshold()

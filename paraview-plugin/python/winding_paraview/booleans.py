@@ -5,18 +5,17 @@ import ctypes
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 
 from vtkwinding import _library
+from vtkwinding._booleans import reach_of, reaches_beyond
 from vtkwinding._errors import WindingError
 
 from .algorithm import RUN, copied, declared
 from .grids import sample_count, whole_extent
 from .ranks import Ranks
-from .sources import ask_for_part
+from .sources import ask_for_part, blocks_with_names, named_blocks
 from .surfaces import SurfaceAlgorithm
-
-_UNION, _INTERSECTION, _DIFFERENCE = range(3)
 
 
 @declared
@@ -88,35 +87,18 @@ class WindingNumberBoolean(SurfaceAlgorithm):
         """The operands as blocks with names."""
         found = [(self.GetInputDataObject(port, index), self.names[port].get(index))
                  for port in (0, 1) for index in range(self.GetNumberOfInputConnections(port))]
-        if len(found) == 1 and isinstance(found[0][0], vtkMultiBlockDataSet):
-            data, key = found[0][0], vtkCompositeDataSet.NAME()
-            found = []
-            for index in range(data.GetNumberOfBlocks()):
-                about = data.GetMetaData(index) if data.HasMetaData(index) else None
-                has_name = about is not None and about.Has(key)
-                found.append((data.GetBlock(index), about.Get(key) if has_name else None))
-        blocks = vtkMultiBlockDataSet()
-        for index, (data, name) in enumerate(found):
-            blocks.SetBlock(index, vtkPolyData() if data is None else data)
-            blocks.GetMetaData(index).Set(
-                vtkCompositeDataSet.NAME(), name or f"Input {index + 1}")
-        return blocks
+        if len(found) == 1:
+            found = blocks_with_names(found[0][0]) or found
+        return named_blocks(found)
 
     def bounds_of_source(self, data, ranks):
         """The box of what the result can reach, or None."""
         boxes = [super(WindingNumberBoolean, self).bounds_of_source(data.GetBlock(index), ranks)
                  for index in range(data.GetNumberOfBlocks())]
-        operation = self.value("Operation")
-        if operation == _DIFFERENCE and boxes and boxes[0] is not None:
-            return boxes[0]
-        there = np.array([box for box in boxes if box is not None])
-        if not len(there):
-            return None
-        low, high = there[:, ::2], there[:, 1::2]
-        inner = low.max(axis=0), high.min(axis=0)
-        if operation == _INTERSECTION and len(there) == len(boxes) and (inner[0] <= inner[1]).all():
-            return np.stack(inner, 1).ravel().tolist()
-        return np.stack([low.min(axis=0), high.max(axis=0)], 1).ravel().tolist()
+        rules = [self._rule_of(index) for index in range(len(boxes))]
+        return reach_of(boxes, self.value("Operation"), [
+            reaches_beyond(rule.inside_rule, rule.winding_threshold, self.values["SheetSide"])
+            for rule in rules])
 
     def _rule_of(self, operand):
         rule = self.rules.get(operand, self.value("InsideRule"))

@@ -34,6 +34,7 @@ from .sources import (
     gathered,
     hash_of,
     kind_of,
+    named_blocks,
     parts_of,
     source_in_words,
 )
@@ -363,12 +364,8 @@ class WindingNumberLabels(ImageAlgorithm):
         count = self.GetNumberOfInputConnections(0)
         if count < 2:
             return super().source()
-        blocks = vtkMultiBlockDataSet()
-        for index in range(count):
-            blocks.SetBlock(index, self.GetInputDataObject(0, index))
-            blocks.GetMetaData(index).Set(
-                vtkCompositeDataSet.NAME(), self.input_names.get(index) or f"Input {index + 1}")
-        return blocks
+        return named_blocks((self.GetInputDataObject(0, index), self.input_names.get(index))
+                            for index in range(count))
 
     def GetNumberOfSolids(self):
         return len(self.infos)

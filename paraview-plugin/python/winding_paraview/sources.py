@@ -7,6 +7,14 @@ import hashlib
 import time
 
 import numpy as np
+from vtkmodules.vtkCommonDataModel import (
+    vtkCompositeDataSet,
+    vtkMultiBlockDataSet,
+    vtkMultiPieceDataSet,
+    vtkPartitionedDataSet,
+    vtkPartitionedDataSetCollection,
+    vtkPolyData,
+)
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkCommonExecutionModel import vtkExtentTranslator
 
@@ -34,6 +42,47 @@ DISTRIBUTED, REPLICATED = 1, 2
 AREAS_OF_MESH, CONSTANT_AREA, AREAS_OF_ARRAY = 1, 2, 3
 PROGRESS_OF_FIELD = 0.3
 _SURFACE_CELLS = "Use Surface Cells"
+
+
+def _as_block(data):
+    """Data as a block of a vtkMultiBlockDataSet, which takes no partitioned data sets."""
+    if isinstance(data, vtkPartitionedDataSetCollection):
+        blocks = vtkMultiBlockDataSet()
+        for index in range(data.GetNumberOfPartitionedDataSets()):
+            blocks.SetBlock(index, _as_block(data.GetPartitionedDataSet(index)))
+            if data.HasMetaData(index):
+                blocks.GetMetaData(index).Copy(data.GetMetaData(index))
+        return blocks
+    if isinstance(data, vtkPartitionedDataSet) and not isinstance(data, vtkMultiPieceDataSet):
+        pieces = vtkMultiPieceDataSet()
+        pieces.SetNumberOfPieces(data.GetNumberOfPartitions())
+        for index in range(data.GetNumberOfPartitions()):
+            pieces.SetPiece(index, data.GetPartition(index))
+        return pieces
+    return data
+
+
+def named_blocks(sources):
+    """Data objects, or None for none, as blocks with names; those without a name are called
+    "Input 1" and so on."""
+    blocks = vtkMultiBlockDataSet()
+    for index, (data, name) in enumerate(sources):
+        blocks.SetBlock(index, vtkPolyData() if data is None else _as_block(data))
+        blocks.GetMetaData(index).Set(vtkCompositeDataSet.NAME(), name or f"Input {index + 1}")
+    return blocks
+
+
+def blocks_with_names(data):
+    """The blocks of a data object with their names, or None if it has none."""
+    data = _as_block(data)
+    if not isinstance(data, vtkMultiBlockDataSet):
+        return None
+    found, key = [], vtkCompositeDataSet.NAME()
+    for index in range(data.GetNumberOfBlocks()):
+        about = data.GetMetaData(index) if data.HasMetaData(index) else None
+        has_name = about is not None and about.Has(key)
+        found.append((data.GetBlock(index), about.Get(key) if has_name else None))
+    return found
 
 
 def kind_of(data):

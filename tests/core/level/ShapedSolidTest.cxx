@@ -35,8 +35,8 @@ const std::vector<SolidShape> shapesToTry = {shapeOf(0.3), shapeOf(-0.2), shapeO
 ShapedSolid shapedOf(const SolidOnGrid& solid, const winding::Grid& grid, const SolidShape& shape,
   winding::Executor& executor, bool isSharp = false)
 {
-  return ShapedSolid(*solid.field, grid, winding::InsideRule::signedThreshold, 0.5, solid.edges,
-    solid.roots, shape, isSharp, executor);
+  return ShapedSolid(*solid.field, grid, winding::InsideRule::signedThreshold, 0.5, 1e-3,
+    solid.edges, solid.roots, shape, isSharp, executor);
 }
 
 template <class Visit> void forSamples(const winding::Grid& grid, int border, const Visit& visit)
@@ -240,6 +240,45 @@ TEST(ShapedSolid, MeasuresFromWhatBoundsTheSolid)
       }
     }
   }
+}
+
+/// Large triangles of which a part lies inside of another solid, though their middles do not.
+TEST(ShapedSolid, NoticesFacesOfWhichAPartIsInside)
+{
+  winding::SerialExecutor serial;
+  const winding::Grid grid = gridOf(Point::Constant(-0.4), Point::Constant(0.0713), {41, 43, 45});
+  const Mesh pairs[] = {cube().with(cube({0.7, 0.7, 0.7}, {1.7, 1.7, 1.7})),
+    cube({0, 0.9, 0.9}, {2, 1.1, 1.1}).with(cube({0.9, 0, 0.9}, {1.1, 2, 1.1}))};
+  for (const Mesh& mesh : pairs)
+  {
+    const SolidOnGrid solid(mesh, grid, false, serial);
+    EXPECT_EQ(shapedOf(solid, grid, shapeOf(-0.05), serial).base(), DistanceBase::surface);
+  }
+  const Mesh apart = cube().with(cube({1.2, 0.7, 0.7}, {1.7, 1.7, 1.7}));
+  const SolidOnGrid solid(apart, grid, false, serial);
+  EXPECT_EQ(shapedOf(solid, grid, shapeOf(-0.05), serial).base(), DistanceBase::source);
+}
+
+/// The surface to measure from is not lost on a grid of voxels larger than the solid.
+TEST(ShapedSolid, MovesFarBeyondItsSource)
+{
+  winding::SerialExecutor serial;
+  const winding::Grid grid = gridOf(Point::Constant(-25.1), Point::Constant(2.61), {20, 20, 20});
+  const Mesh whole = cube({0, 0, 0}, {1.5, 1, 1});
+  const SolidOnGrid solid(cube().with(cube({0.6, 0, 0}, {1.5, 1, 1})), grid, false, serial);
+  const ShapedSolid shaped = shapedOf(solid, grid, shapeOf(20), serial);
+  EXPECT_EQ(shaped.base(), DistanceBase::surface);
+  ASSERT_GT(shaped.edges().size(), 500u);
+  double farthest = 0;
+  for (std::size_t n = 0; n < shaped.edges().size(); ++n)
+  {
+    const winding::GridEdge& edge = shaped.edges()[n];
+    Point place = grid.sample(edge.sample[0], edge.sample[1], edge.sample[2]);
+    place[edge.axis] += shaped.roots().fractions[n] * grid.spacing[edge.axis];
+    farthest = std::max(farthest, std::abs(naiveDistance(place, whole) - 20));
+  }
+  // Measured: 0.036, less than half of the 0.083 that voxels over the source have.
+  EXPECT_LT(farthest, 0.05);
 }
 
 TEST(FilledCavities, AreWhatTheBorderDoesNotReach)

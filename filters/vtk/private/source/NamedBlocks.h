@@ -1,0 +1,24 @@
+#pragma once
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkDataObject;
+class vtkMultiBlockDataSet;
+
+namespace winding
+{
+
+/// Returns data as a block of a vtkMultiBlockDataSet, which takes no partitioned data sets: a
+/// collection of these as blocks, and one of them in pieces. Other data stay what they are.
+vtkSmartPointer<vtkDataObject> asBlock(vtkDataObject* data);
+
+/// Returns data objects, which may be null, as blocks with these names. Those without a name are
+/// called "Input 1" and so on, by their places. Throws Refusal for data that no block can have.
+vtkSmartPointer<vtkMultiBlockDataSet> namedBlocksOf(
+  const std::vector<std::pair<vtkSmartPointer<vtkDataObject>, std::string>>& sources);
+
+} // namespace winding
