@@ -171,8 +171,11 @@ TEST_F(BooleanCommand, RefusesWhatItCannotDo)
 TEST_F(BooleanCommand, WarnsOfAnEmptyResult)
 {
   b = this->sphereAt(5, "far.off");
-  const Outcome run = runProgram({"boolean", a, b, "-o", folder.path("out.ply"), "--operation",
-    "intersection", "--resolution", "20"});
-  EXPECT_EQ(run.status, 0) << run;
-  EXPECT_NE(run.err.find("nothing is inside of the result"), std::string::npos) << run;
+  for (const std::string suffix : {"ply", "stl", "obj", "vtp"})
+  {
+    const Outcome run = runProgram({"boolean", a, b, "-o", folder.path("out." + suffix),
+      "--operation", "intersection", "--resolution", "20"});
+    EXPECT_EQ(run.status, 0) << run;
+    EXPECT_NE(run.err.find("nothing is inside of the result"), std::string::npos) << run;
+  }
 }

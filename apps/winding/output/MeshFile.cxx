@@ -438,6 +438,10 @@ void writeObjMesh(vtkPolyData* given, OutputFile& file)
   vtkDataArray* const texture = textureOf(mesh);
   const std::vector<std::string> shares = sharesOfBytes();
   std::ofstream stream(file.temporaryName(), std::ios::binary);
+  if (mesh->GetNumberOfPoints() == 0)
+  {
+    stream << "# no points\n"; // a file without bytes counts as one of a full disk
+  }
   writeEach(mesh->GetNumberOfPoints(), stream,
     [&](vtkIdType point, std::string& text)
     {

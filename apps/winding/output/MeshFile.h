@@ -16,7 +16,7 @@ class vtkPolyData;
  *   array. Faces have their vertices, colours and other numbers.
  * - .obj: text. Vertices have a colour, too, from 0 to 1 behind their position, texture coordinates
  *   (vt) and normals (vn). Where faces have regions with names, as from .obj, they stand behind a
- *   statement (o, g, usemtl) with the name. Lines and points stay.
+ *   statement (o, g, usemtl) with the name. Lines and points stay. An empty mesh is a comment.
  */
 
 /// Returns the names of the arrays of a mesh that a format does not hold, first of points.
