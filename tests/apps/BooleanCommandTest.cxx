@@ -143,6 +143,9 @@ TEST_F(BooleanCommand, TakesAThresholdAndARuleForEachInput)
   EXPECT_NEAR(this->checked({"--rules", "signed,absolute"})["volume"], 2 * volumeOfSphere, 0.2);
   EXPECT_NEAR(this->checked({"--rules", "signed,absolute", "--thresholds", "0.5,2"})["volume"],
     volumeOfSphere, 0.2);
+  // A threshold for the odd one holds its place.
+  EXPECT_NEAR(this->checked({"--rules", "odd,signed", "--thresholds", "0.5,0.5"})["volume"],
+    volumeOfSphere, 0.2);
 }
 
 TEST_F(BooleanCommand, RefusesWhatItCannotDo)
@@ -159,6 +162,14 @@ TEST_F(BooleanCommand, RefusesWhatItCannotDo)
     "--thresholds has 1 for 2 inputs; give as many, or leave it out");
   expectRefused({"boolean", a, b, "-o", out, "--rules", "odd,odd,odd"},
     "--rules has 3 for 2 inputs; give as many, or leave it out");
+  expectRefused({"boolean", a, b, "-o", out, "--thresholds", "0.5,nan"},
+    "--thresholds has nan; give finite numbers");
+  expectRefused({"boolean", a, b, "-o", out, "--rule", "odd", "--thresholds", "0.7,0.5"},
+    "--rule odd has no threshold; leave --thresholds out");
+  expectRefused({"boolean", a, b, "-o", out, "--rules", "odd,odd", "--threshold", "0.7"},
+    "--rules odd has no threshold; leave --threshold out");
+  expectRefused({"boolean", a, b, "-o", out, "--rules", "odd,odd", "--thresholds", "0.7,0.5"},
+    "--rules odd has no threshold; leave --thresholds out");
   expectRefused({"boolean", a, b, "-o", out, "--operation", "sum"},
     "sum is not one of union | intersection | difference | xor");
   expectRefused({"boolean", a, b, "-o", folder.path("out.pvti")}, "boolean writes");

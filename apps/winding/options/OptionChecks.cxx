@@ -269,7 +269,7 @@ void checkImageOfSolid(const Options& options, const WasGiven& wasGiven)
   }
 }
 
-void checkBoolean(const Options& options)
+void checkBoolean(const Options& options, const WasGiven& wasGiven)
 {
   const std::size_t inputs = options.inputs.size();
   requireUsage(inputs > 1, "there is one input; give another, too");
@@ -279,6 +279,23 @@ void checkBoolean(const Options& options)
     requireUsage(count == 0 || count == inputs,
       std::string(option) + " has " + std::to_string(count) + " for " + std::to_string(inputs) +
         " inputs; give as many, or leave it out");
+  }
+  for (const double threshold : options.thresholds)
+  {
+    requireUsage(
+      std::isfinite(threshold), "--thresholds has " + shown(threshold) + "; give finite numbers");
+  }
+  const auto isOdd = [](int rule)
+  {
+    return rule == Filter::ODD;
+  };
+  const bool areOdd =
+    !options.rules.empty() && std::all_of(options.rules.begin(), options.rules.end(), isOdd);
+  for (const char* const option : {"--threshold", "--thresholds"})
+  {
+    requireUsage(!(areOdd || options.rule == Filter::ODD) || !wasGiven(option),
+      std::string(areOdd ? "--rules" : "--rule") + " odd has no threshold; leave " + option +
+        " out");
   }
 }
 
@@ -373,7 +390,7 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
     checkFieldOptions(options, wasGiven);
     if (options.command == "boolean")
     {
-      checkBoolean(options);
+      checkBoolean(options, wasGiven);
     }
     if (options.command == "voxels")
     {
