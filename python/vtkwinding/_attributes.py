@@ -44,15 +44,11 @@ class Attributes:
         self._transfer, self._numbers, self._threads = transfer, numbers, threads
         self._is_composite = bool(data.IsA("vtkCompositeDataSet"))
         self._options = _library.Options(**options)
-        self._left_out = []
+        self._left_out, self._note = [], note
         leaves = self._source.leaves
         self._fields = [leaf.data.GetFieldData() for leaf in leaves]
         self._of_points = self._arrays(True) if transfer else []
         self._of_cells = self._arrays(False) if transfer and self._source.is_surface else []
-        if self._left_out:
-            note("the inputs differ in their arrays: give all the same arrays; "
-                 f"{', '.join(self._left_out)} "
-                 f"{'is' if len(self._left_out) == 1 else 'are'} not taken over")
 
     @staticmethod
     def _attributes(leaf, of_points):
@@ -67,8 +63,8 @@ class Attributes:
         return [array.GetValue(row) for row in range(array.GetNumberOfValues())]
 
     def _arrays(self, of_points):
-        """The arrays that all leaves have: name, values, whether there are values in between, and
-        the attribute that each is in the first leaf."""
+        """The arrays that all leaves have: name, values, whether there are values in between, the
+        attribute that each is in the first leaf, and the names of numbers or None."""
         found, seen = [], set(_PASSED_OVER)
         leaves = self._source.leaves
         for index, leaf in enumerate(leaves):
@@ -82,17 +78,56 @@ class Attributes:
                 same = [self._attributes(other, of_points).GetAbstractArray(name)
                         for other in leaves]
                 if all(other is not None and other.GetDataType() == array.GetDataType() and
-                       other.GetNumberOfComponents() == array.GetNumberOfComponents() and
-                       self._names_of(place, name) == self._names_of(index, name)
-                       for place, other in enumerate(same)):
-                    values = np.concatenate([
-                        self._values(one, other, of_points) for one, other in zip(leaves, same)])
+                       other.GetNumberOfComponents() == array.GetNumberOfComponents()
+                       for other in same):
+                    parts = [self._values(one, other, of_points)
+                             for one, other in zip(leaves, same)]
+                    names = [self._names_of(place, name) for place in range(len(leaves))]
+                    if any(own != names[0] for own in names):
+                        if any(own is None for own in names) or not _has_room_for_names(parts[0]):
+                            self._leave_out(name)
+                            continue
+                        parts, united = _united(parts, names)
+                    else:
+                        united = names[0]
+                    values = np.concatenate(parts)
                     is_color = values.dtype == np.uint8 and values.shape[1:] in ((3,), (4,))
                     found.append((name, values, values.dtype.kind == "f" or is_color,
-                                  attributes.IsArrayAnAttribute(number)))
+                                  attributes.IsArrayAnAttribute(number), united))
                 else:
-                    self._left_out.append(name)
+                    self._leave_out(name)
         return found
+
+    def _leave_out(self, name):
+        if name not in self._left_out:
+            self._left_out.append(name)
+
+    def _is_taken(self, name, target):
+        """Whether the result has an array of a name already, or gets one of its own."""
+        return bool(target.HasArray(name)) or self._numbers and (
+            name == "NearestCell" or self._is_composite and name == "NearestBlock")
+
+    def _taken(self, surface):
+        """The arrays whose names the result has already; normals are its own, as any surface's."""
+        normals = surface.GetPointData().NORMALS
+        names = [name for arrays, target in ((self._of_points, surface.GetPointData()),
+                                             (self._of_cells, surface.GetCellData()))
+                 for name, _, _, kind, _ in arrays
+                 if kind != normals and self._is_taken(name, target)]
+        return list(dict.fromkeys(names))
+
+    def _note_left_out(self, taken):
+        """Notes what is not taken over."""
+        left_out = self._left_out
+        if left_out:
+            more = (f", nor {'is' if len(taken) == 1 else 'are'} {', '.join(taken)}, "
+                    "which the result has of its own") if taken else ""
+            self._note("the inputs differ in their arrays: give all the same arrays; "
+                       f"{', '.join(left_out)} {'is' if len(left_out) == 1 else 'are'} "
+                       f"not taken over{more}")
+        elif taken:
+            self._note("the result has arrays of the same names: rename them in the input; "
+                       f"{', '.join(taken)} {'is' if len(taken) == 1 else 'are'} not taken over")
 
     @staticmethod
     def _values(leaf, array, of_points):
@@ -107,6 +142,7 @@ class Attributes:
         """Gives a surface, vtkPolyData with polygons, what its points and faces are near to."""
         points = _datasets.floats_of(surface, surface.GetPoints().GetData()).astype(float) if (
             surface.GetNumberOfPoints()) else np.empty((0, 3))
+        taken = self._taken(surface)
         if self._numbers or self._of_points:
             self._add(surface, True, np.ascontiguousarray(points), show)
         if self._numbers or self._of_cells:
@@ -118,11 +154,15 @@ class Attributes:
                 ids = corners[offsets[:-1][has] + corner]
                 middles[has] += points[ids] / sizes[has, None]
             self._add(surface, False, middles, show)
-        for name, *_ in self._of_cells:
-            array = self._fields[0].GetAbstractArray(name[:-3] + "Names")
-            if self._names_of(0, name) is not None and not surface.GetFieldData().HasArray(
-                    array.GetName()):
+        for name, *_, names in self._of_points + self._of_cells:
+            title = name[:-3] + "Names"
+            if names is not None and not surface.GetFieldData().HasArray(title):
+                array = _datasets.class_of(surface, "vtkCommonCore", "vtkStringArray")()
+                array.SetName(title)
+                for text in names:
+                    array.InsertNextValue(text)
                 surface.GetFieldData().AddArray(array)
+        self._note_left_out(taken)
 
     def numbers_at(self, samples, show=None):
         """'NearestCell' and, of composite data, 'NearestBlock' of samples: arrays by their names."""
@@ -141,8 +181,9 @@ class Attributes:
                             threads=self._threads, show=show)
         are_near = found.nearest >= 0
         target = surface.GetPointData() if of_points else surface.GetCellData()
-        for name, values, is_continuous, kind in self._of_points if of_points else self._of_cells:
-            if target.HasArray(name):
+        arrays = self._of_points if of_points else self._of_cells
+        for name, values, is_continuous, kind, _ in arrays:
+            if self._is_taken(name, target):
                 continue
             if of_points and source.is_surface:
                 made = _between(values, found, is_continuous, are_near)
@@ -181,6 +222,22 @@ class Attributes:
             values = np.concatenate([none, *values])
             made.append(np.where(are_near, values[nearest] if len(values) else -1, -1))
         return made[0].astype(np.int64), made[1].astype(np.int32)
+
+
+def _has_room_for_names(values):
+    """Whether numbers stay what they are in a longer list of names."""
+    return values.ndim == 1 and values.dtype.kind == "i" and values.dtype.itemsize >= 4
+
+
+def _united(parts, names):
+    """Numbers in the lists of names of their parts, as numbers in one list, -1 without a name; and
+    this list: the names of the first part, and new ones of the next."""
+    known, made = {}, []
+    for values, own in zip(parts, names):
+        numbers = np.array([known.setdefault(name, len(known)) for name in own] + [-1], np.int64)
+        is_named = (values >= 0) & (values < len(own))
+        made.append(numbers[np.where(is_named, values, -1)].astype(values.dtype))
+    return made, list(known)
 
 
 def _rows_of(values, rows, are_near):

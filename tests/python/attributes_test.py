@@ -40,7 +40,7 @@ def add(attributes, name, values):
     attributes.AddArray(array)
 
 
-def decorated(data):
+def decorated(data, regions="abc"):
     """Gives a data set arrays of all kinds."""
     points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
     add(data.GetPointData(), "RGB", np.round(128 + 100 * points / abs(points).max()).astype("u1"))
@@ -59,7 +59,7 @@ def decorated(data):
     add(data.GetCellData(), "Cell", np.arange(count))
     groups = vtkStringArray()
     groups.SetName("GroupNames")
-    for name in "abc":
+    for name in regions:
         groups.InsertNextValue(name)
     data.GetFieldData().AddArray(groups)
     return data
@@ -107,6 +107,7 @@ class AttributesTest(unittest.TestCase):
         cases = {
             "surface": (decorated(sphere()), {}, {}),
             "blocks": (blocks(decorated(sphere()), decorated(sphere(1.7))), {}, {}),
+            "regions": (blocks(decorated(sphere()), decorated(sphere(1.7), "xb")), {}, {}),
             "cells": (decorated(tetrahedra()), {}, {}),
             "half": (decorated(sphere(0.8)), {"Mirror": "x=0"}, {"mirror": b"x=0"}),
         }
@@ -128,10 +129,20 @@ class AttributesTest(unittest.TestCase):
         first, second = decorated(sphere()), decorated(sphere(1.7))
         second.GetPointData().RemoveArray("Height")
         notes = []
+        made = filtered(blocks(first, second), 0)
         _attributes.Attributes(blocks(first, second), {}, transfer=True, numbers=False,
-                               note=notes.append)
+                               note=notes.append).add_to(made)
         self.assertEqual(len(notes), 1)
         self.assertIn("Height is not taken over", notes[0])
+
+    def test_arrays_whose_names_the_result_has_are_named(self):
+        data = decorated(sphere())
+        data.GetCellData().GetArray("Cell").SetName("NearestCell")
+        notes = []
+        _attributes.Attributes(data, {}, transfer=True, numbers=True, note=notes.append).add_to(
+            filtered(data, 0))
+        self.assertEqual(notes, ["the result has arrays of the same names: rename them in the "
+                                 "input; NearestCell is not taken over"])
 
     def test_places_of_arrays(self):
         points, triangles = inputs.sphere()

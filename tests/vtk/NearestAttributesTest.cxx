@@ -376,6 +376,77 @@ TEST_F(NearestAttributes, OfBlocksAreTheOnesThatAllHave)
   }
 }
 
+/// Numbers of regions stay the numbers of their names, which each block has in its own order.
+TEST_F(NearestAttributes, OfBlocksUniteTheNamesOfRegions)
+{
+  const auto first = sphere(), second = sphere(3);
+  addArrays(first);
+  addArrays(second);
+  auto* const names =
+    vtkStringArray::SafeDownCast(second->GetFieldData()->GetAbstractArray("GroupNames"));
+  const std::vector<std::string> ofSecond = {"c", "x", "a"}; // none for 3 and 4
+  names->SetNumberOfValues(3);
+  for (vtkIdType n = 0; n < 3; ++n)
+  {
+    names->SetValue(n, ofSecond[static_cast<std::size_t>(n)]);
+  }
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, first);
+  blocks->SetBlock(1, second);
+  vtkPolyData* const result = resultOf(blocks);
+  EXPECT_EQ(warnings, "");
+  auto* const united =
+    vtkStringArray::SafeDownCast(result->GetFieldData()->GetAbstractArray("GroupNames"));
+  ASSERT_TRUE(united && united->GetNumberOfValues() == 6);
+  EXPECT_EQ(united->GetValue(5), "x");
+  vtkDataArray* const ids = result->GetCellData()->GetArray("GroupIds");
+  ASSERT_TRUE(ids);
+  std::array<int, 2> ofBlocks = {0, 0};
+  for (vtkIdType face = 0; face < result->GetNumberOfCells(); ++face)
+  {
+    const auto cell =
+      static_cast<std::size_t>(result->GetCellData()->GetArray("NearestCell")->GetTuple1(face));
+    const bool isFirst = result->GetCellData()->GetArray("NearestBlock")->GetTuple1(face) == 1;
+    ++ofBlocks[isFirst ? 0 : 1];
+    const std::size_t number = cell % 5;
+    const auto id = static_cast<vtkIdType>(ids->GetTuple1(face));
+    if (!isFirst && number >= ofSecond.size())
+    {
+      ASSERT_EQ(id, -1) << "it has no name";
+      continue;
+    }
+    ASSERT_EQ(united->GetValue(id), isFirst ? std::string(1, "abcde"[number]) : ofSecond[number]);
+  }
+  EXPECT_GT(ofBlocks[0], 1000);
+  EXPECT_GT(ofBlocks[1], 1000);
+}
+
+TEST_F(NearestAttributes, WhoseNamesTheResultHasAreNamed)
+{
+  const auto source = sphere();
+  addArrays(source);
+  source->GetCellData()->GetAbstractArray("Cell")->SetName("NearestCell");
+  resultOf(source);
+  EXPECT_NE(warnings.find("the result has arrays of the same names"), std::string::npos);
+  EXPECT_NE(warnings.find("; NearestCell is not taken over"), std::string::npos) << warnings;
+  vtkNew<vtkWindingNumberBoolean> boolean;
+  boolean->SetResolution(20);
+  const auto other = sphere(0.8);
+  addArrays(other);
+  for (vtkPolyData* operand : {source.Get(), other.Get()})
+  {
+    operand->GetCellData()->GetAbstractArray("GroupIds")->SetName("Operand");
+  }
+  boolean->SetInputDataObject(0, source);
+  boolean->SetInputDataObject(1, other);
+  boolean->TransferAttributesOn();
+  const ErrorLog log(boolean);
+  boolean->Update();
+  EXPECT_NE(log.warnings().find("NearestCell, Cell are not taken over, nor is Operand, which"),
+    std::string::npos)
+    << log.warnings();
+}
+
 TEST_F(NearestAttributes, OfCloudsAreThoseOfTheNearestPoint)
 {
   const auto source = sphere();

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace winding
@@ -80,6 +81,33 @@ bool areSameTexts(vtkStringArray* a, vtkStringArray* b)
   return areSame;
 }
 
+/// Whether numbers of an array stay what they are in a longer list of names.
+bool hasRoomForNames(vtkAbstractArray* array)
+{
+  const int type = array->GetDataType();
+  return array->GetNumberOfComponents() == 1 &&
+         (type == VTK_INT || type == VTK_LONG || type == VTK_LONG_LONG || type == VTK_ID_TYPE);
+}
+
+/// Appends a name to a list, each once.
+void addName(std::vector<std::string>& names, const std::string& name)
+{
+  if (std::find(names.begin(), names.end(), name) == names.end())
+  {
+    names.push_back(name);
+  }
+}
+
+std::string listOf(const std::vector<std::string>& names)
+{
+  std::string list;
+  for (const std::string& name : names)
+  {
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  return list;
+}
+
 } // namespace
 
 /// A part of the source that a view shows.
@@ -102,6 +130,12 @@ struct NearestAttributes::Transfer
   std::vector<vtkAbstractArray*> ofParts;
   bool interpolates;
   int active; ///< type of the attribute that the array is in the source, or -1
+  vtkSmartPointer<vtkStringArray> names; ///< of the numbers that the array has; may be null
+  /// Numbers of the names of each part in `names`; empty where these are the part's own.
+  std::vector<std::vector<vtkIdType>> numbers;
+
+  /// Unites the names of parts, null for none. Returns whether all have some that go together.
+  bool unite(const std::vector<vtkStringArray*>& ofEachPart);
 
   /// Writes item `n` of an array: the mean of items by their weights, or the one of largest weight.
   void write(vtkAbstractArray* to, vtkIdType n, std::size_t part, const vtkIdType* items,
@@ -110,6 +144,41 @@ struct NearestAttributes::Transfer
   /// Writes item `n` of an array where nothing is near.
   void writeNothing(vtkAbstractArray* to, vtkIdType n) const;
 };
+
+bool NearestAttributes::Transfer::unite(const std::vector<vtkStringArray*>& ofEachPart)
+{
+  const auto isSame = [&](vtkStringArray* other)
+  {
+    return areSameTexts(ofEachPart.front(), other);
+  };
+  if (std::all_of(ofEachPart.begin(), ofEachPart.end(), isSame))
+  {
+    names = ofEachPart.front();
+    return true;
+  }
+  const bool haveAll = std::find(ofEachPart.begin(), ofEachPart.end(), nullptr) == ofEachPart.end();
+  if (!haveAll || !hasRoomForNames(ofParts.front()))
+  {
+    return false;
+  }
+  names = vtkSmartPointer<vtkStringArray>::New();
+  names->SetName(ofEachPart.front()->GetName());
+  std::map<std::string, vtkIdType> known;
+  for (vtkStringArray* own : ofEachPart)
+  {
+    std::vector<vtkIdType>& ofPart = numbers.emplace_back();
+    for (vtkIdType n = 0; n < own->GetNumberOfValues(); ++n)
+    {
+      const auto [found, isNew] = known.emplace(own->GetValue(n), names->GetNumberOfValues());
+      ofPart.push_back(found->second);
+      if (isNew)
+      {
+        names->InsertNextValue(own->GetValue(n));
+      }
+    }
+  }
+  return true;
+}
 
 void NearestAttributes::Transfer::write(vtkAbstractArray* to, vtkIdType n, std::size_t part,
   const vtkIdType* items, const std::array<double, 3>& weights, std::size_t count) const
@@ -124,6 +193,15 @@ void NearestAttributes::Transfer::write(vtkAbstractArray* to, vtkIdType n, std::
       best = isBetter ? i : best;
     }
     to->SetTuple(n, items[best], ofParts[part]);
+    if (!numbers.empty())
+    {
+      auto* const ids = static_cast<vtkDataArray*>(to);
+      const double id = ids->GetComponent(n, 0);
+      const std::vector<vtkIdType>& ofPart = numbers[part];
+      const bool isNamed = id >= 0 && id < static_cast<double>(ofPart.size());
+      ids->SetComponent(
+        n, 0, isNamed ? static_cast<double>(ofPart[static_cast<std::size_t>(id)]) : -1);
+    }
     return;
   }
   auto* const from = static_cast<vtkDataArray*>(ofParts[part]);
@@ -232,26 +310,47 @@ void NearestAttributes::findArrays(bool ofPoints, std::vector<Transfer>& transfe
       {
         continue;
       }
-      Transfer transfer = {{}, isContinuous(array), attributes->IsArrayAnAttribute(i)};
+      Transfer transfer = {{}, isContinuous(array), attributes->IsArrayAnAttribute(i), {}, {}};
+      std::vector<vtkStringArray*> names;
       for (const Part& other : parts_)
       {
         vtkAbstractArray* const same =
           other.attributes(ofPoints)->GetAbstractArray(array->GetName());
         const bool isLike = same && same->GetDataType() == array->GetDataType() &&
-                            same->GetNumberOfComponents() == array->GetNumberOfComponents() &&
-                            areSameTexts(namesOf(part.data->GetFieldData(), array->GetName()),
-                              namesOf(other.data->GetFieldData(), array->GetName()));
+                            same->GetNumberOfComponents() == array->GetNumberOfComponents();
         transfer.ofParts.push_back(isLike ? same : nullptr);
+        names.push_back(namesOf(other.data->GetFieldData(), array->GetName()));
       }
       const auto& arrays = transfer.ofParts;
-      if (std::find(arrays.begin(), arrays.end(), nullptr) == arrays.end())
+      if (std::find(arrays.begin(), arrays.end(), nullptr) == arrays.end() && transfer.unite(names))
       {
         transfers.push_back(std::move(transfer));
       }
       else
       {
-        leftOut_.emplace_back(array->GetName());
+        addName(leftOut_, array->GetName());
       }
+    }
+  }
+}
+
+/// Whether the result has an array of a name already, or gets one of its own.
+bool NearestAttributes::isTaken(const std::string& name, vtkDataSetAttributes* to) const
+{
+  return to->HasArray(name.c_str()) ||
+         (options_.withNumbers &&
+           (name == "NearestCell" || (isComposite_ && name == "NearestBlock")));
+}
+
+/// Notes the arrays whose names the result has already. Normals are its own, as any surface's.
+void NearestAttributes::noteTaken(bool ofPoints, vtkDataSetAttributes* to) const
+{
+  for (const Transfer& transfer : ofPoints ? ofPoints_ : ofCells_)
+  {
+    const std::string name = transfer.ofParts.front()->GetName();
+    if (transfer.active != vtkDataSetAttributes::NORMALS && this->isTaken(name, to))
+    {
+      addName(taken_, name);
     }
   }
 }
@@ -326,7 +425,7 @@ void NearestAttributes::add(bool ofPoints, std::size_t count, std::size_t atOnce
   for (const Transfer& transfer : ofPoints ? ofPoints_ : ofCells_)
   {
     vtkAbstractArray* const model = transfer.ofParts.front();
-    if (!to->HasArray(model->GetName()))
+    if (!this->isTaken(model->GetName(), to))
     {
       arrays.emplace_back(&transfer, arrayLike(model, items));
     }
@@ -424,6 +523,8 @@ void NearestAttributes::addCellData(std::size_t count, const PositionOf& positio
 
 void NearestAttributes::addTo(vtkPolyData* surface, Executor& executor) const
 {
+  this->noteTaken(true, surface->GetPointData());
+  this->noteTaken(false, surface->GetCellData());
   if (options_.withNumbers || !ofPoints_.empty())
   {
     this->addPointData(
@@ -456,30 +557,37 @@ void NearestAttributes::addTo(vtkPolyData* surface, Executor& executor) const
       },
       surface->GetCellData(), executor);
   }
-  for (const Transfer& transfer : ofCells_)
+  for (const std::vector<Transfer>* transfers : {&ofPoints_, &ofCells_})
   {
-    vtkStringArray* const names =
-      namesOf(parts_.front().data->GetFieldData(), transfer.ofParts.front()->GetName());
-    if (names && !surface->GetFieldData()->HasArray(names->GetName()))
+    for (const Transfer& transfer : *transfers)
     {
-      surface->GetFieldData()->AddArray(names);
+      if (transfer.names && !surface->GetFieldData()->HasArray(transfer.names->GetName()))
+      {
+        surface->GetFieldData()->AddArray(transfer.names);
+      }
     }
   }
 }
 
 std::optional<Message> NearestAttributes::note() const
 {
-  if (leftOut_.empty())
+  if (leftOut_.empty() && taken_.empty())
   {
     return std::nullopt;
   }
-  std::string names;
-  for (const std::string& name : leftOut_)
+  if (leftOut_.empty())
   {
-    names += (names.empty() ? "" : ", ") + name;
+    return Message("the result has arrays of the same names", {{"rename them in the input", {}}},
+      listOf(taken_) + (taken_.size() == 1 ? " is not taken over" : " are not taken over"));
   }
-  return Message("the inputs differ in their arrays", {{"give all the same arrays", {}}},
-    names + (leftOut_.size() == 1 ? " is not taken over" : " are not taken over"));
+  std::string facts =
+    listOf(leftOut_) + (leftOut_.size() == 1 ? " is not taken over" : " are not taken over");
+  if (!taken_.empty())
+  {
+    facts += (taken_.size() == 1 ? ", nor is " : ", nor are ") + listOf(taken_) +
+             ", which the result has of its own";
+  }
+  return Message("the inputs differ in their arrays", {{"give all the same arrays", {}}}, facts);
 }
 
 void refuseNearestOfOtherRanks(const Ranks& ranks, SourceDistribution distribution)

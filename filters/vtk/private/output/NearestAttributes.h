@@ -50,6 +50,9 @@ struct NearestOptions
  * texture coordinates are, becomes so in the result where it has none.
  *
  * Where a source has several data sets, arrays are taken over that all have in the same type.
+ * Numbers that name regions, as "GroupIds" and the texts "GroupNames" of the field data, are then
+ * numbers in one list: the names of the first data set, and new ones of the next. Numbers without
+ * a name are −1 there. Where all have the same names, or none, numbers stay what they are.
  */
 class NearestAttributes
 {
@@ -84,7 +87,8 @@ public:
   /// means of their corners, and names of regions to the field data.
   void addTo(vtkPolyData* surface, Executor& executor) const;
 
-  /// Returns what is to be known about arrays that are not taken over; nothing where all are.
+  /// Returns what is to be known about arrays that are not taken over, once addTo() has tried;
+  /// nothing where all are.
   std::optional<Message> note() const;
 
   /// Returns the expected memory for a source of `primitives` triangles or points, in bytes.
@@ -96,6 +100,8 @@ private:
   struct Part;
 
   void findArrays(bool ofPoints, std::vector<Transfer>& transfers);
+  bool isTaken(const std::string& name, vtkDataSetAttributes* to) const;
+  void noteTaken(bool ofPoints, vtkDataSetAttributes* to) const;
   /// Finds the places of samples first … first + count − 1.
   using FindPlaces = std::function<void(std::size_t first, std::size_t count, InputPlace* places)>;
 
@@ -112,6 +118,7 @@ private:
   std::unique_ptr<InputPlaces> places_;
   std::vector<Transfer> ofPoints_, ofCells_;
   std::vector<std::string> leftOut_;
+  mutable std::vector<std::string> taken_; ///< names that the result has; set by addTo()
 };
 
 /// Throws a Refusal where other ranks have parts of the source, whose cells have no numbers here.
