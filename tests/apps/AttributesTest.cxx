@@ -78,7 +78,10 @@ protected:
     const Outcome run =
       runProgram({"surface", in, "-o", out, "--resolution", "40", "--transfer-attributes"});
     EXPECT_EQ(run.status, 0) << run;
-    EXPECT_EQ(run.err.find("warning"), std::string::npos) << run;
+    const bool losesNames = name.find(".ply") != std::string::npos;
+    const std::string names = "the format does not hold ObjectNames; .vtp holds all arrays";
+    EXPECT_EQ(run.err.find(names) != std::string::npos, losesNames) << run;
+    EXPECT_EQ(run.err.find("warning") != std::string::npos, losesNames) << run;
     return out;
   }
 
@@ -149,11 +152,67 @@ TEST_F(Attributes, ThatAFormatDoesNotHoldAreNamed)
     EXPECT_EQ(run.status, 0) << run;
     return run.err;
   };
-  EXPECT_NE(warningOf("out.stl").find("does not hold RGB, TCoords, NearestCell, ObjectIds"),
+  EXPECT_NE(warningOf("out.stl").find("does not hold RGB, TCoords, NearestCell, ObjectIds;"),
     std::string::npos);
-  EXPECT_NE(warningOf("out.obj").find("does not hold NearestCell, NearestCell"), std::string::npos);
-  EXPECT_EQ(warningOf("out.ply").find("does not hold"), std::string::npos);
+  EXPECT_NE(warningOf("out.obj").find("does not hold NearestCell;"), std::string::npos);
+  EXPECT_NE(warningOf("out.ply").find("does not hold ObjectNames;"), std::string::npos);
   EXPECT_EQ(warningOf("out.vtp").find("does not hold"), std::string::npos);
+}
+
+TEST_F(Attributes, TransparencyIsNamedWhereObjDropsIt)
+{
+  for (const int alpha : {128, 255})
+  {
+    const Mesh mesh = sphere(3);
+    std::ostringstream text;
+    text << "ply\nformat ascii 1.0\nelement vertex " << mesh.points.size();
+    for (const char* name :
+      {"float x", "float y", "float z", "uchar red", "uchar green", "uchar blue", "uchar alpha"})
+    {
+      text << "\nproperty " << name;
+    }
+    text << "\nelement face " << mesh.triangles.size()
+         << "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (const auto& point : mesh.points)
+    {
+      text << point[0] << ' ' << point[1] << ' ' << point[2] << " 10 20 30 " << alpha << '\n';
+    }
+    for (const auto& t : mesh.triangles)
+    {
+      text << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+    }
+    const std::string in = folder.write("glass.ply", text.str());
+    const Outcome run = runProgram({"surface", in, "-o", folder.path("glass.obj"), "--resolution",
+      "20", "--transfer-attributes"});
+    EXPECT_EQ(run.status, 0) << run;
+    EXPECT_EQ(run.err.find("does not hold alpha of RGBA;") != std::string::npos, alpha == 128)
+      << run;
+  }
+}
+
+/// Groups of two files, whose names differ, keep them.
+TEST_F(Attributes, OfBooleansKeepTheNamesOfRegions)
+{
+  const auto grouped = [this](const std::string& name, double x)
+  {
+    Mesh mesh = sphere(3);
+    for (auto& point : mesh.points)
+    {
+      point[0] += x;
+    }
+    std::string text = asObj(mesh);
+    text.insert(text.rfind("\nf ") + 1, "g lid\n");
+    text.insert(text.find("\nf ") + 1, "g " + name + '\n');
+    return folder.write(name + ".obj", text);
+  };
+  const std::string out = folder.path("both.obj");
+  const Outcome run = runProgram({"boolean", grouped("wall", 0), grouped("inlet", 0.8), "-o", out,
+    "--resolution", "20", "--transfer-attributes"});
+  EXPECT_EQ(run.status, 0) << run;
+  EXPECT_EQ(run.err.find("not taken over"), std::string::npos) << run;
+  const std::string text = contentsOf(out);
+  EXPECT_NE(text.find("\ng wall\n"), std::string::npos);
+  EXPECT_NE(text.find("\ng inlet\n"), std::string::npos);
 }
 
 TEST_F(Attributes, OfBooleansNameTheInputOfEachFace)

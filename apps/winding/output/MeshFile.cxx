@@ -53,6 +53,15 @@ vtkDataArray* colorsOf(vtkDataSetAttributes* attributes)
   return nullptr;
 }
 
+/// Whether colours have an alpha that is not full everywhere.
+bool isTransparent(vtkDataArray* array)
+{
+  constexpr int alpha = 3;
+  constexpr double full = 255;
+  return areColors(array) && array->GetNumberOfComponents() > alpha &&
+         array->GetNumberOfTuples() > 0 && array->GetRange(alpha)[0] < full;
+}
+
 vtkDataArray* textureOf(vtkPolyData* mesh)
 {
   vtkDataArray* const coordinates = mesh->GetPointData()->GetTCoords();
@@ -71,6 +80,17 @@ constexpr Regions regionsOfObj[] = {{"Object", "o"}, {"Group", "g"}, {"Material"
 vtkDataArray* idsOf(vtkPolyData* mesh, const Regions& regions)
 {
   return mesh->GetCellData()->GetArray((std::string(regions.kind) + "Ids").c_str());
+}
+
+/// Returns the names of regions: "GroupNames" for "GroupIds". Null without.
+vtkStringArray* namesOf(vtkPolyData* mesh, const char* ids)
+{
+  const std::string name = ids ? ids : "", ending = "Ids";
+  const std::size_t size = name.size() - std::min(name.size(), ending.size());
+  return name.substr(size) == ending
+           ? vtkStringArray::SafeDownCast(
+               mesh->GetFieldData()->GetAbstractArray((name.substr(0, size) + "Names").c_str()))
+           : nullptr;
 }
 
 /// Writes items in parts, and looks for interruptions now and then.
@@ -279,9 +299,7 @@ public:
       vtkDataArray* const ids = idsOf(mesh, regions);
       if (ids && ids->GetNumberOfComponents() == 1)
       {
-        auto* const names = vtkStringArray::SafeDownCast(
-          mesh->GetFieldData()->GetAbstractArray((std::string(regions.kind) + "Names").c_str()));
-        divisions_.push_back({regions.statement, ids, names, std::nan("")});
+        divisions_.push_back({regions.statement, ids, namesOf(mesh, ids->GetName()), std::nan("")});
       }
     }
   }
@@ -339,6 +357,13 @@ private:
 std::vector<std::string> arraysLostIn(const std::string& suffix, vtkPolyData* mesh)
 {
   std::vector<std::string> lost;
+  const auto note = [&](const std::string& what)
+  {
+    if (std::find(lost.begin(), lost.end(), what) == lost.end())
+    {
+      lost.push_back(what);
+    }
+  };
   const bool isPly = suffix == ".ply", isObj = suffix == ".obj";
   for (vtkDataSetAttributes* attributes : {static_cast<vtkDataSetAttributes*>(mesh->GetPointData()),
          static_cast<vtkDataSetAttributes*>(mesh->GetCellData())})
@@ -358,7 +383,15 @@ std::vector<std::string> arraysLostIn(const std::string& suffix, vtkPolyData* me
       }
       if (!isKept && array->GetName())
       {
-        lost.emplace_back(array->GetName());
+        note(array->GetName());
+      }
+      else if (isObj && ofPoints && isTransparent(numbers) && array->GetName())
+      {
+        note("alpha of " + std::string(array->GetName()));
+      }
+      else if (isPly && namesOf(mesh, array->GetName()))
+      {
+        note(namesOf(mesh, array->GetName())->GetName());
       }
     }
   }

@@ -19,8 +19,9 @@ class vtkPolyData;
  *   statement (o, g, usemtl) with the name. Lines and points stay. An empty mesh is a comment.
  */
 
-/// Returns the names of the arrays of a mesh that a format does not hold, first of points.
-/// Normals are left out, which other programs make again.
+/// Returns the names of the arrays of a mesh that a format does not hold, first of points, each
+/// once: names of regions, too, and of colours the alpha alone, unless all are opaque. Normals are
+/// left out, which other programs make again.
 std::vector<std::string> arraysLostIn(const std::string& suffix, vtkPolyData* mesh);
 
 ///@{
