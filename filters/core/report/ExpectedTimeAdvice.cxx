@@ -10,6 +10,19 @@ namespace winding
 namespace
 {
 
+/// Returns a number of two digits, or more before the point, and its unit, which has no s for 1.
+std::string withUnit(double number, std::string unit)
+{
+  constexpr double ten = 9.95; // once it is rounded
+  char text[64];
+  std::snprintf(text, sizeof text, number < ten ? "%.2g" : "%.0f", number);
+  if (std::string(text) != "1")
+  {
+    unit += 's';
+  }
+  return std::string(text) + ' ' + unit;
+}
+
 /// Returns a time in the unit in which people would say it.
 std::string inWords(double seconds)
 {
@@ -19,16 +32,14 @@ std::string inWords(double seconds)
     double length;
     const char* name;
   };
-  for (const Unit& unit : {Unit{day, "days"}, Unit{hour, "hours"}, Unit{minute, "minutes"}})
+  for (const Unit& unit : {Unit{day, "day"}, Unit{hour, "hour"}, Unit{minute, "minute"}})
   {
     if (seconds >= 2 * unit.length)
     {
-      char text[64];
-      std::snprintf(text, sizeof text, "%.2g %s", seconds / unit.length, unit.name);
-      return text;
+      return withUnit(seconds / unit.length, unit.name);
     }
   }
-  return std::to_string(static_cast<int>(seconds)) + " seconds";
+  return withUnit(seconds, "second");
 }
 
 std::vector<Remedy> fasterThan(const FieldInfo& info, double tolerance)

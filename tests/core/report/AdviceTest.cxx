@@ -1,6 +1,7 @@
 #include "report/Advice.h"
 
 #include "base/Bounds.h"
+#include "report/ExpectedTimeAdvice.h"
 #include "source/Sanitize.h"
 #include "source/Surface.h"
 #include "support/Samples.h"
@@ -248,4 +249,16 @@ TEST(Advice, OnCloudsNamesOutliers)
   // A gap that is small beside the bounds makes no outlier.
   report.bounds.extend(Eigen::Vector3d(1000, 0, 0));
   EXPECT_EQ(adviceOnCloud(report), adviceOnCloud(goodReport()));
+}
+
+TEST(Advice, SaysTimesAsPeopleDo)
+{
+  const std::pair<double, const char*> times[] = {{0.00421, "0.0042 seconds"}, {0.3, "0.3 seconds"},
+    {1.02, "1 second"}, {1.5, "1.5 seconds"}, {9.97, "10 seconds"}, {119.4, "119 seconds"},
+    {150, "2.5 minutes"}, {6900, "115 minutes"}, {7200, "2 hours"}, {1e7, "116 days"}};
+  for (const auto& [seconds, words] : times)
+  {
+    EXPECT_EQ(winding::expectedTimeAdvice({}, seconds, 8, 0).fault,
+      std::string("this takes about ") + words);
+  }
 }
