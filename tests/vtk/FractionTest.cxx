@@ -388,6 +388,22 @@ TEST_F(Fraction, IsNaNWhereACellIsNowhere)
   EXPECT_TRUE(std::isnan(fractionsOf(result)->GetComponent(0, 0)));
 }
 
+TEST_F(Fraction, IsNaNWhereFacesOfAPolyhedronDoNotClose)
+{
+  vtkNew<vtkUnstructuredGrid> mesh;
+  mesh->SetPoints(meshOf(VTK_TETRA, 1)->GetPoints());
+  const vtkIdType ids[] = {0, 1, 2, 4};
+  const vtkIdType faces[] = {3, 0, 1, 2, 3, 0, 4, 1, 3, 1, 4, 2, 3, 2, 4, 0};
+  mesh->InsertNextCell(VTK_POLYHEDRON, 4, ids, 4, faces);
+  mesh->InsertNextCell(VTK_POLYHEDRON, 4, ids, 3, faces);
+  ErrorLog log(probe);
+  vtkDataSet* result = this->probed(mesh);
+  EXPECT_NE(log.warnings().find("1 of 2 cells are not closed"), std::string::npos)
+    << log.warnings();
+  EXPECT_FALSE(std::isnan(fractionsOf(result)->GetComponent(0, 0)));
+  EXPECT_TRUE(std::isnan(fractionsOf(result)->GetComponent(1, 0)));
+}
+
 TEST_F(Fraction, RefusesOtherArraysOfItsName)
 {
   probe->SetResultArrayName("Fraction");

@@ -58,6 +58,12 @@ float shareOf(double inside, double volume)
   return static_cast<float>(std::clamp(inside / volume, 0.0, 1.0) + 0.0);
 }
 
+/// Whether a cell bounds no volume, so that it has no fraction.
+bool isWithoutFraction(CellState state)
+{
+  return state == CellState::nowhere || state == CellState::open;
+}
+
 class Evaluation
 {
 public:
@@ -99,8 +105,9 @@ public:
     {
       const CellState state = states_[i];
       counts.flat += state == CellState::flat;
+      counts.open += state == CellState::open;
       counts.nowhere += state == CellState::nowhere;
-      fractions[i] = state == CellState::nowhere ? std::numeric_limits<float>::quiet_NaN()
+      fractions[i] = isWithoutFraction(state) ? std::numeric_limits<float>::quiet_NaN()
                      : isInside(windings_[i], rule_, threshold_) ? 1.0F
                                                                  : 0.0F;
       if (this->isDivided(i))
@@ -264,7 +271,7 @@ private:
         {
           CellState state = this->load(i, work);
           Eigen::Vector3d apex = work.cell.middle();
-          if (state == CellState::nowhere)
+          if (isWithoutFraction(state))
           {
             apexes_[i].setConstant(std::numeric_limits<double>::quiet_NaN());
             states_[i] = state;
@@ -324,7 +331,7 @@ private:
   bool isDivided(std::size_t cell) const
   {
     const CellState state = states_[cell];
-    if (field_.info().jumpsOnly() || state == CellState::flat || state == CellState::nowhere)
+    if (field_.info().jumpsOnly() || state == CellState::flat || isWithoutFraction(state))
     {
       return false;
     }
@@ -527,6 +534,7 @@ std::vector<Message> warningsOf(const CellsWithoutFraction& counts, std::size_t 
     }
   };
   add(counts.flat, "have no volume", "their fraction is 1 or 0, as their middle is inside or not");
+  add(counts.open, "are not closed", "a face of each is missing or turned: they have no fraction");
   add(counts.nowhere, "are empty or not finite", "they have no fraction");
   return messages;
 }

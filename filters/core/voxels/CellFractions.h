@@ -16,6 +16,7 @@ namespace winding
 struct CellsWithoutFraction
 {
   std::size_t flat = 0;    ///< without volume: 1 or 0, as their middle is inside or not
+  std::size_t open = 0;    ///< polyhedra with a face that is missing or turned: NaN
   std::size_t nowhere = 0; ///< with points that are NaN or infinite, or without points: NaN
 };
 
@@ -40,7 +41,8 @@ struct CellsWithoutFraction
  * and 0.0014 on average for a sphere with a hole, 0.02 and 0.006 for a cloud of 400 points.
  *
  * A cell without volume (less than 1e-13 of the cube of its box's diagonal) counts as its middle: 0
- * or 1. A cell with points that are not finite gets NaN.
+ * or 1. A cell with points that are not finite gets NaN, and so does one whose faces do not close,
+ * for it bounds nothing.
  *
  * Guaranteed: the bits depend on the source and the cell only, not on other cells, the executor or
  * its threads, and not on the order of triangles and points; except that a far field makes them

@@ -1,6 +1,9 @@
 #include "voxels/CellShape.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <utility>
 
 namespace winding
 {
@@ -33,6 +36,32 @@ const std::array<FaceTable, linearTypes>& faceTables()
   return tables;
 }
 
+/// Whether edges of faces, between the ids of their corners, cancel.
+template <class IdOf> bool doEdgesCancel(const CellShape& shape, const IdOf& idOf)
+{
+  std::vector<std::pair<int, int>> forth, back;
+  for (std::size_t face = 0; face < shape.faces(); ++face)
+  {
+    const int begin = shape.faceEnds[face], end = shape.faceEnds[face + 1];
+    for (int at = begin; at < end; ++at)
+    {
+      const int from = idOf(shape.faceCorners[std::size_t(at)]);
+      const int to = idOf(shape.faceCorners[std::size_t(at + 1 < end ? at + 1 : begin)]);
+      if (from < to)
+      {
+        forth.emplace_back(from, to);
+      }
+      else if (to < from)
+      {
+        back.emplace_back(to, from);
+      }
+    }
+  }
+  std::sort(forth.begin(), forth.end());
+  std::sort(back.begin(), back.end());
+  return forth == back;
+}
+
 } // namespace
 
 void CellShape::clear()
@@ -40,12 +69,28 @@ void CellShape::clear()
   points.clear();
   faceCorners.clear();
   faceEnds.assign(1, 0);
+  areLinear = false;
 }
 
 void CellShape::addFace(const int* corners, int count)
 {
   faceCorners.insert(faceCorners.end(), corners, corners + count);
   faceEnds.push_back(static_cast<int>(faceCorners.size()));
+  areLinear = false;
+}
+
+bool CellShape::isClosed() const
+{
+  if (areLinear || doEdgesCancel(*this, [](int corner) { return corner; }))
+  {
+    return true;
+  }
+  const auto placeOf = [this](int corner)
+  {
+    const auto found = std::find(points.begin(), points.end(), points[std::size_t(corner)]);
+    return static_cast<int>(found - points.begin());
+  };
+  return doEdgesCancel(*this, placeOf);
 }
 
 bool CellShape::addLinearFaces(int type)
@@ -55,6 +100,7 @@ bool CellShape::addLinearFaces(int type)
   {
     return false;
   }
+  areLinear = this->faces() == 0;
   for (const int corner : faceTables()[std::size_t(kind)])
   {
     if (corner >= 0)

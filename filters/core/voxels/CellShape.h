@@ -17,12 +17,17 @@ struct CellShape
   std::vector<Eigen::Vector3d> points;
   std::vector<int> faceCorners;    ///< face after face
   std::vector<int> faceEnds = {0}; ///< by face, where its corners begin; and the end of the last
+  bool areLinear = false;          ///< whether addLinearFaces() has made all faces, which close
 
   void clear();
   std::size_t faces() const { return faceEnds.size() - 1; }
 
   /// Adds a face of `count` corners.
   void addFace(const int* corners, int count);
+
+  /// Whether the faces close: each edge of one is, the other way round, an edge of another. Corners
+  /// at one place count as one.
+  bool isClosed() const;
 
   /// Adds the faces of a linear cell with one of VTK's types, whose points are there in VTK's
   /// order: tetrahedron (10), voxel (11), hexahedron (12), wedge (13), pyramid (14), pentagonal

@@ -33,6 +33,10 @@ CellState LocalCell::set(const CellShape& shape)
   {
     return CellState::nowhere;
   }
+  if (!shape.isClosed())
+  {
+    return CellState::open;
+  }
   points_.clear();
   triangles_.clear();
   middle_.setZero();

@@ -17,6 +17,7 @@ enum class CellState : unsigned char
   touched, ///< a triangle's box meets the cell's box, or a point is near it
   onRim,   ///< so does an edge of the boundary, around which w takes all values
   flat,
+  open, ///< its faces do not close
   nowhere
 };
 

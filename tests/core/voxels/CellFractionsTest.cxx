@@ -460,6 +460,57 @@ TEST(CellFractions, AreNaNNowhereAndZeroOrOneWithoutVolume)
   EXPECT_EQ(counts.flat, 3U);
 }
 
+TEST(CellFractions, AreNaNWhereFacesDoNotClose)
+{
+  const auto field = fieldOf(cube(Point(-2, -2, -2), Point(0.5, 2, 2)));
+  winding::CellShape box;
+  box.points = cornersOf({0, 0, 0}, {1, 1, 1});
+  EXPECT_TRUE(box.addLinearFaces(hexahedron));
+  EXPECT_TRUE(box.isClosed());
+  winding::CellShape lacking, turned, inverted, doubled;
+  for (winding::CellShape* shape : {&lacking, &turned, &inverted})
+  {
+    shape->points = box.points;
+  }
+  for (std::size_t face = 0; face < box.faces(); ++face)
+  {
+    const std::vector<int> ids(box.faceCorners.begin() + box.faceEnds[face],
+      box.faceCorners.begin() + box.faceEnds[face + 1]);
+    const std::vector<int> back(ids.rbegin(), ids.rend());
+    if (face != 2)
+    {
+      lacking.addFace(ids.data(), 4);
+    }
+    turned.addFace(face == 2 ? back.data() : ids.data(), 4);
+    inverted.addFace(back.data(), 4);
+    // Corners of its own for each face are corners of the others, too.
+    std::vector<int> own;
+    for (const int id : ids)
+    {
+      own.push_back(static_cast<int>(doubled.points.size()));
+      doubled.points.push_back(box.points[std::size_t(id)]);
+    }
+    doubled.addFace(own.data(), 4);
+  }
+  CellList cells;
+  for (const winding::CellShape& shape : {box, lacking, turned, inverted, doubled})
+  {
+    cells.add(shape);
+  }
+  winding::CellsWithoutFraction counts;
+  const std::vector<float> fractions =
+    fractionsOf(*field, cells, InsideRule::signedThreshold, 0.5, &counts);
+  EXPECT_FLOAT_EQ(fractions[0], 0.5F);
+  EXPECT_TRUE(std::isnan(fractions[1]));
+  EXPECT_TRUE(std::isnan(fractions[2]));
+  EXPECT_FLOAT_EQ(fractions[3], 0.5F);
+  EXPECT_FLOAT_EQ(fractions[4], 0.5F);
+  EXPECT_EQ(counts.open, 2U);
+  EXPECT_EQ(counts.flat + counts.nowhere, 0U);
+  EXPECT_EQ(winding::sentenceOf(winding::warningsOf(counts, 5).at(0)),
+    "2 of 5 cells are not closed; a face of each is missing or turned: they have no fraction");
+}
+
 TEST(CellFractions, OfThinCellsAndFarFromTheOriginStay)
 {
   // Layers at a wall, 1e-5 of their width high; a fifth of each is inside of a box.
