@@ -55,7 +55,9 @@ double squaredDistance(const ConeTriangle& triangle)
 /// A part of a volume, without what rounding adds, and not −0.
 float shareOf(double inside, double volume)
 {
-  return static_cast<float>(std::clamp(inside / volume, 0.0, 1.0) + 0.0);
+  constexpr double rounding = 1e-12;
+  const double share = inside / volume;
+  return share < rounding ? 0.0F : share > 1 - rounding ? 1.0F : static_cast<float>(share);
 }
 
 /// Whether a cell bounds no volume, so that it has no fraction.

@@ -42,7 +42,8 @@ struct CellsWithoutFraction
  *
  * A cell without volume (less than 1e-13 of the cube of its box's diagonal) counts as its middle: 0
  * or 1. A cell with points that are not finite gets NaN, and so does one whose faces do not close,
- * for it bounds nothing.
+ * for it bounds nothing. Shares nearer to 0 or 1 than 1e-12, which rounding makes where a solid
+ * only touches a cell, are 0 and 1.
  *
  * Guaranteed: the bits depend on the source and the cell only, not on other cells, the executor or
  * its threads, and not on the order of triangles and points; except that a far field makes them

@@ -511,6 +511,22 @@ TEST(CellFractions, AreNaNWhereFacesDoNotClose)
     "2 of 5 cells are not closed; a face of each is missing or turned: they have no fraction");
 }
 
+/// Cells that a solid only touches, or fills, have no share of 1e-17 of it, nor lack one.
+TEST(CellFractions, AreZeroWhereASolidOnlyTouches)
+{
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, Point(1, 2, 3).normalized()));
+  const auto turned = [&turn](const Point& p) -> Point
+  {
+    return turn * p;
+  };
+  const auto field = fieldOf(cube(Point(-0.4, -0.4, -0.4), Point(0.4, 0.4, 0.4)).mapped(turned));
+  const CellList cells = boxes(10, 1, still);
+  const std::vector<float> fractions = fractionsOf(*field, cells.mapped(turned));
+  const auto between = std::count_if(
+    fractions.begin(), fractions.end(), [](float share) { return share > 0 && share < 0.1F; });
+  EXPECT_EQ(between, 0);
+}
+
 TEST(CellFractions, OfThinCellsAndFarFromTheOriginStay)
 {
   // Layers at a wall, 1e-5 of their width high; a fifth of each is inside of a box.
