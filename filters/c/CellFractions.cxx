@@ -4,6 +4,7 @@
 #include "Handles.h"
 
 #include <algorithm>
+#include <iterator>
 
 using namespace winding::c;
 
@@ -11,6 +12,17 @@ namespace
 {
 
 constexpr int polyhedron = 42;
+constexpr int firstLinear = 10, lastLinear = 16;
+
+/// VTK's types of cells of fewer than three dimensions, and the empty cell.
+constexpr std::uint8_t flatTypes[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 21, 22, 23, 28, 30, 34, 35, 36,
+  51, 52, 53, 54, 60, 61, 62, 63, 68, 69, 70, 75, 76, 77};
+
+bool isKnown(std::uint8_t type)
+{
+  return (type >= firstLinear && type <= lastLinear) || type == polyhedron ||
+         std::find(std::begin(flatTypes), std::end(flatTypes), type) != std::end(flatTypes);
+}
 
 /// The cells of a caller, which are right once they are made.
 class CallersCells final : public winding::CellShapes
@@ -81,10 +93,11 @@ public:
 private:
   std::size_t id(std::size_t place) const { return static_cast<std::size_t>(corners_(place, 0)); }
 
-  [[noreturn]] static void refuse(std::size_t cell, const std::string& why)
+  [[noreturn]] static void refuse(
+    std::size_t cell, const std::string& why, const char* remedy = "mend the mesh")
   {
     throw winding::Refusal(
-      winding::Message("cell " + std::to_string(cell) + " " + why, {{"mend the mesh", {}}}));
+      winding::Message("cell " + std::to_string(cell) + " " + why, {{remedy, {}}}));
   }
 
   void checkIds(std::size_t cell, std::size_t first, std::size_t last) const
@@ -106,13 +119,17 @@ private:
     {
       throw Misuse("cells.offsets do not ascend from 0 to the rows of cells.corners");
     }
+    if (!isKnown(types_[cell]))
+    {
+      refuse(cell, "has type " + std::to_string(types_[cell]) + ", which has no fraction",
+        "give straight cells, of types 10 to 16 and 42");
+    }
     const auto first = static_cast<std::size_t>(begin), last = static_cast<std::size_t>(end);
     if (types_[cell] != polyhedron)
     {
       this->checkIds(cell, first, last);
       winding::CellShape shape;
       shape.points.resize(last - first);
-      constexpr int firstLinear = 10, lastLinear = 16;
       if (types_[cell] >= firstLinear && types_[cell] <= lastLinear &&
           !shape.addLinearFaces(types_[cell]))
       {

@@ -459,8 +459,8 @@ extern "C"
   {
     /**
      * Rows of one WINDING_UINT8 with VTK's numbers: 10 tetrahedron, 11 voxel, 12 hexahedron,
-     * 13 wedge, 14 pyramid, 15 and 16 prisms of five and six sides, 42 polyhedron. Cells of any
-     * other type have no volume. No gaps.
+     * 13 wedge, 14 pyramid, 15 and 16 prisms of five and six sides, 42 polyhedron. Surfaces, lines
+     * and points have no volume. No gaps.
      */
     winding_array types;
     /**
@@ -482,12 +482,14 @@ extern "C"
    *   corners
    * @param rule what is inside; null for the defaults
    * @param fractions receives a number of 0 to 1 for each cell: 1 or 0 for a cell without volume,
-   *   as its middle is inside or not, and NaN where a point is not finite or there is none
+   *   as its middle is inside or not, and NaN where a point is not finite, there is none, or the
+   *   faces do not close
    * @param run null for the defaults
    * @param refusal receives why the call was refused, unless it is null
    *
-   * Warns of cells without volume, and of those that are not finite. Refuses cells with too few
-   * points, and ids of points that do not exist.
+   * Warns of cells without volume, of polyhedra with a face that is missing or turned, and of cells
+   * that are not finite. Refuses cells with too few points, ids of points that do not exist, and
+   * other types, as of curved cells: give these as straight ones between their corners.
    */
   WINDING_API winding_status winding_cell_fractions(const winding_field* field,
     winding_array points, const winding_cells* cells, const winding_rule* rule, float* fractions,

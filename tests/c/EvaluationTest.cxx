@@ -219,6 +219,13 @@ TEST(Cells, HaveTheShareOfThemThatIsInside)
   expectRefused("cell 3 is a polyhedron with a face that does not end");
   types[2] = 14;
   expectRefused("cell 2 has 4 points");
+  types[2] = 10;
+  for (const int type : {24, 41, 99})
+  {
+    types[0] = static_cast<std::uint8_t>(type);
+    expectRefused("cell 0 has type " + std::to_string(type) +
+                  ", which has no fraction: give straight cells, of types 10 to 16 and 42");
+  }
 }
 
 TEST(SamplePoints, MayBeAskedForByManyThreadsAtOnce)

@@ -229,6 +229,12 @@ class FunctionsTest(unittest.TestCase):
         self.assertEqual(field.fractions(places, [], [], []).shape, (0,))
         with self.assertRaisesRegex(vtkwinding.WindingError, "cell 0 refers to point 9 of 9"):
             field.fractions(places, [10], [0, 1, 2, 9], [0, 4])
+        with self.assertRaisesRegex(vtkwinding.WindingError, "cell 0 has type 24, which has no"):
+            field.fractions(places, [24], range(10), [0, 10])
+        lacking = [5, *polyhedron[1:-5]]
+        with self.assertWarnsRegex(vtkwinding.WindingWarning, "1 of 1 cells are not closed"):
+            found = field.fractions(places, [42], lacking, [0, len(lacking)])
+        self.assertTrue(np.isnan(found[0]))
         with self.assertRaisesRegex(TypeError, "types must be integers"):
             field.fractions(places, [10.5], [0, 1, 2, 3], [0, 4])
         with self.assertRaisesRegex(ValueError, "types must be 0 to 255"):
