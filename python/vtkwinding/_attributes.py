@@ -6,10 +6,13 @@ from __future__ import annotations
 import numpy as np
 
 from . import _datasets, _library
-from ._sources import source_of
+from ._errors import WindingError
+from ._sources import KINDS, source_of
 from .fields import find_places
 
 NUMBERS = "winding number in data set"  # as the filters name them
+_KINDS = ("surfaces and clouds have no common nearest cells: take inputs of one kind, or leave them "
+          "out (transfer_attributes=False, nearest_cells=False)")
 _PASSED_OVER = {"vtkGhostType", NUMBERS, "vtkOriginalCellIds", "vtkOriginalPointIds"}
 
 
@@ -40,7 +43,12 @@ class Attributes:
     as the library has them, and a function for notes."""
 
     def __init__(self, data, options, *, transfer, numbers, threads=0, note=_library.warn, **arrays):
-        self._source = source_of(numbered(data) if numbers else data, **arrays)
+        try:
+            self._source = source_of(numbered(data) if numbers else data, **arrays)
+        except WindingError as error:
+            if str(error) != KINDS:
+                raise
+            raise WindingError(_KINDS) from error
         self._transfer, self._numbers, self._threads = transfer, numbers, threads
         self._is_composite = bool(data.IsA("vtkCompositeDataSet"))
         self._options = _library.Options(**options)

@@ -23,7 +23,7 @@ from .fields import Field
 DEFAULTS = {name: parameter.default for name, parameter in inspect.signature(Field).parameters.items()
             if parameter.kind is parameter.KEYWORD_ONLY and name not in ("normals", "areas")}
 
-_KINDS = "take blocks or files of one kind: the source mixes surfaces and point clouds"
+KINDS = "take blocks or files of one kind: the source mixes surfaces and point clouds"
 _MIXED = "cells with and without volume are mixed: choose which ({surface_cells})"
 _LOOSE = ("lines and single points bound nothing: make faces of them, if they are walls; "
           "{count} are left out")
@@ -161,7 +161,7 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
         if not len(found.points) or (has_faces and not found.polygon_count and not as_points):
             continue
         if is_surface not in (None, has_faces and not as_points):
-            raise WindingError(_KINDS)
+            raise WindingError(KINDS)
         is_surface = has_faces and not as_points
         leaves.append(found)
     notes = []

@@ -428,6 +428,8 @@ class WindingAccessor:
         _check_source("the mesh", self._mesh)
         for mesh in others:
             _check_source("other", mesh)
+        attributes = self._attributes(
+            pv.MultiBlock([self._mesh, *others]), transfer_attributes, nearest_cells, options)
         made = [self._field(options)] + [
             accessor_of(mesh)._field(options, "other") for mesh in others]
         solids, sides = zip(*made)
@@ -443,8 +445,6 @@ class WindingAccessor:
             arrays = _booleans.combine(solids, sides, number, grid, show=show, **settings)
         surface = _surface_of(arrays)
         surface.cell_data["Operand"] = arrays["numbers"].astype(np.int32)
-        attributes = self._attributes(
-            pv.MultiBlock([self._mesh, *others]), transfer_attributes, nearest_cells, options)
         if attributes is not None:
             attributes.add_to(surface)
         return surface

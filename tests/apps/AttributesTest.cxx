@@ -236,6 +236,28 @@ TEST_F(Attributes, OfBooleansNameTheInputOfEachFace)
   EXPECT_EQ(blocks->GetRange()[1], 2);
 }
 
+TEST_F(Attributes, OfMeshesAndCloudsAtOnceAreRefusedAtOnce)
+{
+  const std::string mesh = folder.write("mesh.off", asOff(sphere(3)));
+  const std::string cloud = folder.write("cloud.xyz", asXyz(sphere(3)));
+  const auto run = [&](const std::vector<std::string>& more)
+  {
+    std::vector<std::string> arguments = {
+      "boolean", mesh, cloud, "-o", folder.path("out.vtp"), "--resolution", "20"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return runProgram(arguments);
+  };
+  EXPECT_EQ(run({}).status, 0);
+  EXPECT_EQ(run({"--nearest-cells", "--points"}).status, 0);
+  for (const std::string option : {"--nearest-cells", "--transfer-attributes"})
+  {
+    const Outcome refused = run({option});
+    EXPECT_EQ(refused.status, 2) << refused;
+    EXPECT_TRUE(refused.saysInOneLine({option, "not for both at once; take inputs of one kind"}))
+      << refused;
+  }
+}
+
 TEST_F(Attributes, OfFieldsVoxelsAndProbesAreIdsOfCells)
 {
   const std::string scan = colored();

@@ -144,6 +144,13 @@ class AttributesTest(unittest.TestCase):
         self.assertEqual(notes, ["the result has arrays of the same names: rename them in the "
                                  "input; NearestCell is not taken over"])
 
+    def test_surfaces_and_clouds_at_once_are_refused_by_the_names_of_the_options(self):
+        cloud = vtkPolyData()
+        cloud.SetPoints(sphere(1).GetPoints())
+        with self.assertRaisesRegex(vtkwinding.WindingError, "no common nearest cells: .*"
+                                    r"\(transfer_attributes=False, nearest_cells=False\)"):
+            _attributes.Attributes(blocks(sphere(), cloud), {}, transfer=True, numbers=False)
+
     def test_places_of_arrays(self):
         points, triangles = inputs.sphere()
         points, triangles = np.array(points), np.array(triangles)

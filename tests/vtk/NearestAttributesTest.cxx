@@ -1,4 +1,5 @@
 #include "vtk/ErrorLog.h"
+#include "vtk/HowTo.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -511,6 +512,35 @@ TEST_F(NearestAttributes, HaveTheSameBitsForAnyNumberOfThreads)
       }
     }
   }
+}
+
+TEST(NearestAttributesOfBooleans, RefuseSurfacesAndCloudsByTheNameOfTheOption)
+{
+  const auto mesh = sphere();
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(sphere(0.8)->GetPoints());
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType n = 0; n < cloud->GetNumberOfPoints(); ++n)
+  {
+    const Position at = pointOf(cloud, n);
+    normals->InsertNextTuple3(at[0] - 0.8, at[1], at[2]);
+  }
+  cloud->GetPointData()->SetNormals(normals);
+  vtkNew<vtkWindingNumberBoolean> filter;
+  filter->SetResolution(20);
+  filter->SetInputDataObject(0, mesh);
+  filter->SetInputDataObject(1, cloud);
+  filter->GenerateNearestCellsOn();
+  const ErrorLog log(filter);
+  filter->Update();
+  EXPECT_NE(
+    log.errors().find("surfaces and clouds have no common nearest cells"), std::string::npos)
+    << log.errors();
+  EXPECT_NE(
+    log.errors().find(howTo({winding::Parameter::generateNearestCells, 0})), std::string::npos)
+    << log.errors();
 }
 
 TEST(NearestAttributesOfBooleans, SayWhichOperandAFaceLiesOn)

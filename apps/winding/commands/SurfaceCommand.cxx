@@ -5,16 +5,63 @@
 #include "files/Formats.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
+#include "program/Failure.h"
 #include "program/Messages.h"
+#include "program/ParallelRun.h"
 
+#include "vtkCell.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberSurface.h"
 
+#include <string>
+
 namespace
 {
+
+bool hasFaces(vtkPointSet* data)
+{
+  if (auto* const mesh = vtkPolyData::SafeDownCast(data))
+  {
+    return mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0;
+  }
+  return data->GetNumberOfCells() > 0 && data->GetCell(0)->GetCellDimension() > 1;
+}
+
+/// Throws Failure where meshes and clouds are to have nearest cells, before anything is computed.
+void checkNearestOfKinds(vtkDataObject* source, const Options& options)
+{
+  auto* const inputs = vtkCompositeDataSet::SafeDownCast(source);
+  const bool areAsked = options.transferAttributes || options.nearestCells;
+  if (!inputs || options.asPoints || !areAsked)
+  {
+    return;
+  }
+  bool areMeshes = false, areClouds = false;
+  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(inputs->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    auto* const leaf = vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject());
+    if (leaf && leaf->GetNumberOfPoints() > 0)
+    {
+      (hasFaces(leaf) ? areMeshes : areClouds) = true;
+    }
+  }
+  const std::string option =
+    options.transferAttributes ? "--transfer-attributes" : "--nearest-cells";
+  if (areMeshes && areClouds)
+  {
+    throw Failure(EXIT_REFUSED,
+      option + " is for surfaces or for clouds, not for both at once; take inputs of one kind, or "
+               "leave it out");
+  }
+}
 
 /// Makes and writes the surface of a filter that has all options of its own, or the image of what
 /// is inside.
@@ -35,6 +82,10 @@ void writeSurface(
   const bool asImage = isImage(suffixOf(options.output));
   filter.SetGenerateImage(asImage);
   FieldRun run(filter, options, messages);
+  if (options.command == "boolean")
+  {
+    parallel::agree([&] { checkNearestOfKinds(filter.GetInputDataObject(0, 0), options); });
+  }
   run.update();
   if (asImage)
   {

@@ -3,10 +3,12 @@
 #include "base/Refusal.h"
 #include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/Ranks.h"
+#include "private/source/SourceParts.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -234,7 +236,7 @@ NearestAttributes::NearestAttributes(vtkDataObject* source, const SourceOptions&
   const NearestOptions& nearest, Executor& executor)
   : options_(nearest)
   , isComposite_(vtkCompositeDataSet::SafeDownCast(source) != nullptr)
-  , views_(source, options.input, &executor, true)
+  , views_((refuseNearestOfMixed(source, options.input), source), options.input, &executor, true)
 {
   if (views_.isSurface() || views_.isEmpty())
   {
@@ -588,6 +590,34 @@ std::optional<Message> NearestAttributes::note() const
              ", which the result has of its own";
   }
   return Message("the inputs differ in their arrays", {{"give all the same arrays", {}}}, facts);
+}
+
+void refuseNearestOfMixed(vtkDataObject* source, const InputOptions& options)
+{
+  auto* const composite = vtkCompositeDataSet::SafeDownCast(source);
+  if (!composite || options.asPoints)
+  {
+    return;
+  }
+  bool hasSurfaces = false, hasClouds = false;
+  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    auto* const leaf = vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject());
+    if (leaf && leaf->GetNumberOfPoints() > 0)
+    {
+      const bool isSurface = hasFaces(leaf);
+      hasSurfaces = hasSurfaces || isSurface;
+      hasClouds = hasClouds || (!isSurface && !isOfLines(leaf));
+    }
+  }
+  if (hasSurfaces && hasClouds)
+  {
+    throw Refusal(Message("surfaces and clouds have no common nearest cells",
+      {{"take inputs of one kind", {}},
+        {"leave them out",
+          {{Parameter::transferAttributes, 0}, {Parameter::generateNearestCells, 0}}}}));
+  }
 }
 
 void refuseNearestOfOtherRanks(const Ranks& ranks, SourceDistribution distribution)

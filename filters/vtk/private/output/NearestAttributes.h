@@ -121,6 +121,9 @@ private:
   mutable std::vector<std::string> taken_; ///< names that the result has; set by addTo()
 };
 
+/// Throws a Refusal where a source has both surfaces and clouds, which are searched one by one.
+void refuseNearestOfMixed(vtkDataObject* source, const InputOptions& options);
+
 /// Throws a Refusal where other ranks have parts of the source, whose cells have no numbers here.
 void refuseNearestOfOtherRanks(const Ranks& ranks, SourceDistribution distribution);
 
