@@ -105,8 +105,8 @@ public:
   /// images and grids; ghost cells stay as they are. Faces that are not planar count as the
   /// triangles around the mean of their corners, and cells with curved faces as straight between
   /// their corners, which a warning says. A cell without volume has 1 or 0, as its middle is inside
-  /// or not, which a warning says, too. Empty cells, and those at points that are not finite, have
-  /// NaN.
+  /// or not, which a warning says, too. Empty cells, polyhedra with a face that is missing or
+  /// turned, and cells at points that are not finite have NaN.
   ///
   /// For closed surfaces fractions are exact up to rounding to float, however many solids overlap,
   /// so that fractions times volumes add up to the volume of what is inside. For others the level
