@@ -46,7 +46,7 @@ TEST(CommandLine, UsageErrors)
     {{"field", in, "-o", vti, "--distance", "--distance-band", "-1"}, "--distance-band is -1"},
     {{"field", in, "-o", vti, "--distance", "--distance-band", "inf"}, "--distance-band is inf"},
     {{"field", in, "-o", vtp}, ".vti"},
-    {{"surface", in, "-o", vti}, ".stl"},
+    {{"surface", in, "-o", folder.path("out.pvti")}, ".stl"},
     {{"probe", in, in, "-o", folder.path("out.stl")}, ".csv"},
     {{"field", in, "-o", vti, "--resolution", "0"}, "--resolution is 0"},
     {{"field", in, "-o", vti, "--resolution", "-7"}, "--resolution is -7"},
