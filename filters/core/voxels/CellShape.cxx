@@ -36,8 +36,40 @@ const std::array<FaceTable, linearTypes>& faceTables()
   return tables;
 }
 
-/// Whether edges of faces, between the ids of their corners, cancel.
-template <class IdOf> bool doEdgesCancel(const CellShape& shape, const IdOf& idOf)
+/// The points of a shape that lie on an edge between two others, from its first end on.
+std::vector<int> pointsOn(const CellShape& shape, int from, int to)
+{
+  constexpr double near = 1e-9; // of the edge's length
+  const Eigen::Vector3d& a = shape.points[std::size_t(from)];
+  const Eigen::Vector3d along = shape.points[std::size_t(to)] - a;
+  const double squared = along.squaredNorm();
+  std::vector<std::pair<double, int>> found;
+  for (std::size_t n = 0; n < shape.points.size(); ++n)
+  {
+    const Eigen::Vector3d place = shape.points[n] - a;
+    const double share = place.dot(along) / squared;
+    const bool isFirst =
+      std::find(shape.points.begin(), shape.points.end(), shape.points[n]) - shape.points.begin() ==
+      static_cast<std::ptrdiff_t>(n);
+    if (isFirst && share > near && share < 1 - near &&
+        (place - share * along).squaredNorm() < near * near * squared)
+    {
+      found.emplace_back(share, static_cast<int>(n));
+    }
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<int> ids;
+  for (const auto& [share, id] : found)
+  {
+    ids.push_back(id);
+  }
+  return ids;
+}
+
+/// Whether edges of faces, between the ids of their corners, cancel. With `areCut` they are cut at
+/// all points that lie on them: a face may have a corner where its neighbour has none.
+template <class IdOf>
+bool doEdgesCancel(const CellShape& shape, const IdOf& idOf, bool areCut = false)
 {
   std::vector<std::pair<int, int>> forth, back;
   for (std::size_t face = 0; face < shape.faces(); ++face)
@@ -45,15 +77,25 @@ template <class IdOf> bool doEdgesCancel(const CellShape& shape, const IdOf& idO
     const int begin = shape.faceEnds[face], end = shape.faceEnds[face + 1];
     for (int at = begin; at < end; ++at)
     {
-      const int from = idOf(shape.faceCorners[std::size_t(at)]);
-      const int to = idOf(shape.faceCorners[std::size_t(at + 1 < end ? at + 1 : begin)]);
-      if (from < to)
+      int from = idOf(shape.faceCorners[std::size_t(at)]);
+      const int last = idOf(shape.faceCorners[std::size_t(at + 1 < end ? at + 1 : begin)]);
+      std::vector<int> stops;
+      if (areCut && from != last)
       {
-        forth.emplace_back(from, to);
+        stops = pointsOn(shape, from, last);
       }
-      else if (to < from)
+      stops.push_back(last);
+      for (const int to : stops)
       {
-        back.emplace_back(to, from);
+        if (from < to)
+        {
+          forth.emplace_back(from, to);
+        }
+        else if (to < from)
+        {
+          back.emplace_back(to, from);
+        }
+        from = to;
       }
     }
   }
@@ -90,7 +132,7 @@ bool CellShape::isClosed() const
     const auto found = std::find(points.begin(), points.end(), points[std::size_t(corner)]);
     return static_cast<int>(found - points.begin());
   };
-  return doEdgesCancel(*this, placeOf);
+  return doEdgesCancel(*this, placeOf) || doEdgesCancel(*this, placeOf, true);
 }
 
 bool CellShape::addLinearFaces(int type)

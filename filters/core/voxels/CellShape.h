@@ -26,7 +26,7 @@ struct CellShape
   void addFace(const int* corners, int count);
 
   /// Whether the faces close: each edge of one is, the other way round, an edge of another. Corners
-  /// at one place count as one.
+  /// at one place count as one, and edges are cut at corners that lie on them.
   bool isClosed() const;
 
   /// Adds the faces of a linear cell with one of VTK's types, whose points are there in VTK's

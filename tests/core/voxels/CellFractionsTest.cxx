@@ -492,8 +492,19 @@ TEST(CellFractions, AreNaNWhereFacesDoNotClose)
     }
     doubled.addFace(own.data(), 4);
   }
+  // One face has a corner on an edge, and its neighbour has none there.
+  winding::CellShape hanging = box;
+  hanging.points.push_back(
+    (box.points[std::size_t(box.faceCorners[0])] + box.points[std::size_t(box.faceCorners[1])]) /
+    2);
+  hanging.faceCorners.insert(
+    hanging.faceCorners.begin() + 1, static_cast<int>(hanging.points.size()) - 1);
+  std::for_each(
+    hanging.faceEnds.begin() + 1, hanging.faceEnds.end(), [](int& faceEnd) { ++faceEnd; });
+  hanging.areLinear = false;
+  EXPECT_TRUE(hanging.isClosed());
   CellList cells;
-  for (const winding::CellShape& shape : {box, lacking, turned, inverted, doubled})
+  for (const winding::CellShape& shape : {box, lacking, turned, inverted, doubled, hanging})
   {
     cells.add(shape);
   }
@@ -505,10 +516,11 @@ TEST(CellFractions, AreNaNWhereFacesDoNotClose)
   EXPECT_TRUE(std::isnan(fractions[2]));
   EXPECT_FLOAT_EQ(fractions[3], 0.5F);
   EXPECT_FLOAT_EQ(fractions[4], 0.5F);
+  EXPECT_FLOAT_EQ(fractions[5], 0.5F);
   EXPECT_EQ(counts.open, 2U);
   EXPECT_EQ(counts.flat + counts.nowhere, 0U);
-  EXPECT_EQ(winding::sentenceOf(winding::warningsOf(counts, 5).at(0)),
-    "2 of 5 cells are not closed; a face of each is missing or turned: they have no fraction");
+  EXPECT_EQ(winding::sentenceOf(winding::warningsOf(counts, 6).at(0)),
+    "2 of 6 cells are not closed; a face of each is missing or turned: they have no fraction");
 }
 
 /// Cells that a solid only touches, or fills, have no share of 1e-17 of it, nor lack one.
