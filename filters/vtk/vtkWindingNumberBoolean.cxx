@@ -8,6 +8,7 @@
 #include "level/LevelMemory.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
+#include "private/output/NearestAttributes.h"
 #include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
@@ -329,6 +330,10 @@ int vtkWindingNumberBoolean::RequestData(
   {
     throw winding::Refusal(winding::Message(
       "there are fewer than two solids", {{"give another input, or several blocks", {}}}));
+  }
+  if (this->TransferAttributes || this->GenerateNearestCells)
+  {
+    winding::refuseNearestOfMixed(blocks, this->GetSourceOptions().input);
   }
   this->LayGridOver(blocks);
   if (!this->CloseBorder)

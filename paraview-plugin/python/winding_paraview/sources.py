@@ -270,10 +270,15 @@ class SourceAlgorithm(Algorithm):
         """What results take over from a source."""
         options = {"mirror": _options.words("mirror", self.value("Mirror")),
                    "weld_tolerance": self.value("WeldTolerance")}
-        return Attributes(
-            data, options, threads=self.value("NumberOfThreads"), note=self.warn,
-            as_points=bool(self.value("SourceAsPoints")),
-            surface_cells=bool(self.value("UseSurfaceCells")), transfer=transfer, numbers=numbers)
+        try:
+            return Attributes(
+                data, options, threads=self.value("NumberOfThreads"), note=self.warn,
+                as_points=bool(self.value("SourceAsPoints")), transfer=transfer, numbers=numbers,
+                surface_cells=bool(self.value("UseSurfaceCells")))
+        except WindingError as error:
+            raise type(error)(str(error).replace(
+                "transfer_attributes=False, nearest_cells=False",
+                "Transfer Attributes, Generate Nearest Cells")) from error
 
     def add_nearest_cells(self, data, places, attributes):
         """Adds the ids of the cells that are nearest to places, if they are asked for."""

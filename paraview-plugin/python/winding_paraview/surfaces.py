@@ -99,8 +99,9 @@ class SurfaceAlgorithm(GridAlgorithm):
             wishes = {"transfer": bool(self.value("TransferAttributes")),
                       "numbers": bool(self.value("GenerateNearestCells"))}
             self.refuse_nearest_of_other_ranks(ranks, any(wishes.values()))
-            if self.make(data, ranks, output, image) and any(wishes.values()):
-                self.nearest(data, **wishes).add_to(output)
+            nearest = self.nearest(data, **wishes) if any(wishes.values()) else None
+            if self.make(data, ranks, output, image) and nearest is not None:
+                nearest.add_to(output)
         return 1
 
     def refuse_large_surface(self, field, rule):
