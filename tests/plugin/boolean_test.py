@@ -66,7 +66,10 @@ class TestBoolean(unittest.TestCase):
         second.Transform.Translate = (1, 0, 0)
         boolean = simple.WindingNumberBoolean(
             Input=first, Others=second, Resolution=48, OperandThresholds=[0.5, 2])
+        warnings = warnings_of(boolean)
         output = result(boolean)
+        self.assertEqual(len(warnings), 1)
+        self.assertIn("'tool': no sample is inside: choose a lower threshold", warnings[0])
         names = output.GetFieldData().GetAbstractArray("OperandNames")
         self.assertEqual([names.GetValue(i) for i in range(2)], ["scan", "tool"])
         self.assertAlmostEqual(volume_of(output), WHOLE, delta=0.03 * WHOLE)

@@ -278,7 +278,7 @@ class SourceAlgorithm(Algorithm):
         except WindingError as error:
             raise type(error)(str(error).replace(
                 "transfer_attributes=False, nearest_cells=False",
-                "Transfer Attributes, Generate Nearest Cells")) from error
+                "Transfer Attributes off, Generate Nearest Cells off")) from error
 
     def add_nearest_cells(self, data, places, attributes):
         """Adds the ids of the cells that are nearest to places, if they are asked for."""
