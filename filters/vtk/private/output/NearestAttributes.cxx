@@ -134,7 +134,7 @@ struct NearestAttributes::Transfer
   int active; ///< type of the attribute that the array is in the source, or -1
   vtkSmartPointer<vtkStringArray> names; ///< of the numbers that the array has; may be null
   /// Numbers of the names of each part in `names`; empty where these are the part's own.
-  std::vector<std::vector<vtkIdType>> numbers;
+  std::vector<std::vector<vtkIdType>> united;
 
   /// Unites the names of parts, null for none. Returns whether all have some that go together.
   bool unite(const std::vector<vtkStringArray*>& ofEachPart);
@@ -168,7 +168,7 @@ bool NearestAttributes::Transfer::unite(const std::vector<vtkStringArray*>& ofEa
   std::map<std::string, vtkIdType> known;
   for (vtkStringArray* own : ofEachPart)
   {
-    std::vector<vtkIdType>& ofPart = numbers.emplace_back();
+    std::vector<vtkIdType>& ofPart = united.emplace_back();
     for (vtkIdType n = 0; n < own->GetNumberOfValues(); ++n)
     {
       const auto [found, isNew] = known.emplace(own->GetValue(n), names->GetNumberOfValues());
@@ -195,11 +195,11 @@ void NearestAttributes::Transfer::write(vtkAbstractArray* to, vtkIdType n, std::
       best = isBetter ? i : best;
     }
     to->SetTuple(n, items[best], ofParts[part]);
-    if (!numbers.empty())
+    if (!united.empty())
     {
       auto* const ids = static_cast<vtkDataArray*>(to);
       const double id = ids->GetComponent(n, 0);
-      const std::vector<vtkIdType>& ofPart = numbers[part];
+      const std::vector<vtkIdType>& ofPart = united[part];
       const bool isNamed = id >= 0 && id < static_cast<double>(ofPart.size());
       ids->SetComponent(
         n, 0, isNamed ? static_cast<double>(ofPart[static_cast<std::size_t>(id)]) : -1);
@@ -313,7 +313,7 @@ void NearestAttributes::findArrays(bool ofPoints, std::vector<Transfer>& transfe
         continue;
       }
       Transfer transfer = {{}, isContinuous(array), attributes->IsArrayAnAttribute(i), {}, {}};
-      std::vector<vtkStringArray*> names;
+      std::vector<vtkStringArray*> namesOfParts;
       for (const Part& other : parts_)
       {
         vtkAbstractArray* const same =
@@ -321,10 +321,11 @@ void NearestAttributes::findArrays(bool ofPoints, std::vector<Transfer>& transfe
         const bool isLike = same && same->GetDataType() == array->GetDataType() &&
                             same->GetNumberOfComponents() == array->GetNumberOfComponents();
         transfer.ofParts.push_back(isLike ? same : nullptr);
-        names.push_back(namesOf(other.data->GetFieldData(), array->GetName()));
+        namesOfParts.push_back(namesOf(other.data->GetFieldData(), array->GetName()));
       }
       const auto& arrays = transfer.ofParts;
-      if (std::find(arrays.begin(), arrays.end(), nullptr) == arrays.end() && transfer.unite(names))
+      if (std::find(arrays.begin(), arrays.end(), nullptr) == arrays.end() &&
+          transfer.unite(namesOfParts))
       {
         transfers.push_back(std::move(transfer));
       }
