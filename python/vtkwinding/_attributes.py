@@ -117,11 +117,12 @@ class Attributes:
 
     def _taken(self, surface):
         """The arrays whose names the result has already; normals are its own, as any surface's."""
-        normals = surface.GetPointData().NORMALS
-        names = [name for arrays, target in ((self._of_points, surface.GetPointData()),
-                                             (self._of_cells, surface.GetCellData()))
-                 for name, _, _, kind, _ in arrays
-                 if kind != normals and self._is_taken(name, target)]
+        names = []
+        for arrays, target in ((self._of_points, surface.GetPointData()),
+                               (self._of_cells, surface.GetCellData())):
+            own = target.GetNormals().GetName() if target.GetNormals() else None
+            names += [name for name, _, _, kind, _ in arrays
+                      if kind != target.NORMALS and name != own and self._is_taken(name, target)]
         return list(dict.fromkeys(names))
 
     def _note_left_out(self, taken):

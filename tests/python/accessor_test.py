@@ -98,7 +98,7 @@ class AccessorTest(Warned):
             gap = np.linalg.norm(places[:, None] - middles[None], axis=2)
             self.assertLess((gap[np.arange(len(found)), found] - gap.min(axis=1)).max(), 0.05)
         blocks = pv.MultiBlock([mesh, mesh.translate((3, 0, 0))])
-        image = blocks.winding.field(resolution=9, **wishes)
+        image = blocks.winding.field(resolution=24, **wishes)
         self.assertEqual(set(image["NearestBlock"]), {1, 2})
 
     def test_all_arguments_have_types(self):

@@ -16,7 +16,7 @@ import vtkwinding
 from arrays_test import CORNERS, CUBE, sphere
 from vtkwinding import _library, fields
 
-# The direct sum of an open sphere at so many points takes half a minute and more.
+# The direct sum of an open sphere at so many points takes two minutes and more.
 LONG = """
 import os, signal, sys, threading, time
 import numpy as np
@@ -26,7 +26,7 @@ signal.signal(signal.SIGINT, signal.default_int_handler) # shells have it ignore
 sys.path.insert(0, {folder!r})
 from arrays_test import sphere
 vertices, faces, _ = sphere(200)
-points = np.random.default_rng(1).random((1_000_000, 3))
+points = np.random.default_rng(1).random((6_000_000, 3))
 def work():
     vtkwinding.winding_number(points, vertices, faces[:-5], method="direct",
                               longest_expected_time=0)

@@ -348,10 +348,12 @@ bool NearestAttributes::isTaken(const std::string& name, vtkDataSetAttributes* t
 /// Notes the arrays whose names the result has already. Normals are its own, as any surface's.
 void NearestAttributes::noteTaken(bool ofPoints, vtkDataSetAttributes* to) const
 {
+  vtkDataArray* const normals = to->GetNormals();
+  const std::string own = normals && normals->GetName() ? normals->GetName() : "";
   for (const Transfer& transfer : ofPoints ? ofPoints_ : ofCells_)
   {
     const std::string name = transfer.ofParts.front()->GetName();
-    if (transfer.active != vtkDataSetAttributes::NORMALS && this->isTaken(name, to))
+    if (transfer.active != vtkDataSetAttributes::NORMALS && name != own && this->isTaken(name, to))
     {
       addName(taken_, name);
     }
