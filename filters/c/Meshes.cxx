@@ -147,9 +147,9 @@ public:
     winding::ShapedSolid made(field_, grid_, ruleOf(rule_), rule_.winding_threshold,
       handle_.tolerance, edges_, roots_, shape, options_.features == WINDING_FEATURES_SHARP,
       call_.executor);
-    const bool isSame = made.edges().size() == 0;
-    const bool isAllInside = isSame && made.edges().beginsInside(0, 0);
-    const auto advice = winding::shapeAdvice(grid_, shape, isSame, isAllInside);
+    const bool isEmpty = made.edges().size() == 0;
+    const bool isAllInside = isEmpty && made.edges().beginsInside(0, 0);
+    const auto advice = winding::shapeAdvice(grid_, shape, isEmpty, isAllInside);
     if (advice && !(isAllInside && options_.generate_image))
     {
       call_.warn(*advice);

@@ -201,9 +201,9 @@ void vtkWindingNumberSurface::TellShape(const winding::ShapedSolid& shaped, vtkP
     base->InsertNextValue(shaped.base() == winding::DistanceBase::source ? "source" : "surface");
     output->GetFieldData()->AddArray(base);
   }
-  const bool isSame = shaped.edges().size() == 0;
-  const bool isAllInside = isSame && shaped.edges().beginsInside(0, 0);
-  const auto advice = winding::shapeAdvice(this->GetSampling(), shape, isSame, isAllInside);
+  const bool isEmpty = shaped.edges().size() == 0;
+  const bool isAllInside = isEmpty && shaped.edges().beginsInside(0, 0);
+  const auto advice = winding::shapeAdvice(this->GetSampling(), shape, isEmpty, isAllInside);
   if (advice && !(isAllInside && this->GenerateImage))
   {
     vtkWarningMacro(<< winding::lineOf(*advice));
