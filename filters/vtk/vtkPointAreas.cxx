@@ -30,6 +30,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkSmartPointer.h"
+#include "vtkWindingNumberAlgorithm.h"
 
 #include <algorithm>
 #include <numeric>
@@ -166,6 +167,14 @@ int vtkPointAreas::FillInputPortInformation(int, vtkInformation* info)
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
+}
+
+/// Answers the first request after a change of the pipeline, which may fail before it has data.
+int vtkPointAreas::RequestDataObject(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->Status = vtkWindingNumberAlgorithm::NOT_RUN;
+  return this->Superclass::RequestDataObject(request, inputs, outputs);
 }
 
 int vtkPointAreas::RequestData(

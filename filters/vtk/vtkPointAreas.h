@@ -165,6 +165,8 @@ protected:
   void operator=(const vtkPointAreas&) = delete;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -177,7 +179,7 @@ protected:
   char* Toward = nullptr;
   char* ResultArrayName = nullptr;
   int NumberOfThreads = 0;
-  int Status = 0;
+  int Status = 4; // vtkWindingNumberAlgorithm::NOT_RUN
   double TotalArea = 0;
   const char* NormalEstimationUsed = "";
   double ClearShare = 0;

@@ -225,7 +225,11 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
   {
     this->TimeOfLastError = 0;
   }
-  if (this->Status != DONE)
+  else if (this->Status == DONE)
+  {
+    this->Status = NOT_RUN; // until there is data, which a filter upstream may fail to give
+  }
+  else
   {
     if (wantsData)
     {

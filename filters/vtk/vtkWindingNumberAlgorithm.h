@@ -168,7 +168,9 @@ public:
     DONE = 0,          ///< the result is there
     REFUSED = 1,       ///< input or properties cannot be worked with; an error was reported
     OUT_OF_MEMORY = 2, ///< the result does not fit into memory; an error was reported
-    ABORTED = 3        ///< AbortExecute was set; the output is empty
+    ABORTED = 3,       ///< AbortExecute was set; the output is empty
+    NOT_RUN = 4        ///< nothing was executed since the pipeline changed, as before the first
+                       ///< update, or where a reader upstream has failed
   };
 
   /// Sets the input of port 0 without a pipeline.
@@ -613,7 +615,7 @@ protected:
   double LongestExpectedTime = 600;
   int SourceDistribution = DISTRIBUTION_AUTOMATIC;
   int SourceKind = NO_SOURCE;
-  int Status = DONE;
+  int Status = NOT_RUN;
   bool SourceIsInsideOut = false;
   bool SourceLooksInward = false; ///< as a whole or in part, as TellSides() finds
   double PrepareSeconds = 0;

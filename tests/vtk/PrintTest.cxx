@@ -66,7 +66,7 @@ TEST(Print, HasThePropertiesOfEveryClass)
   expectPrinted<vtkImplicitWindingNumber>(ofSources);
   expectPrinted<vtkWindingNumberVoxels>({"WindingThreshold: 0.5", "InsideRule: 0", "ByLabel: 2"});
   expectPrinted<vtkPointAreas>({"PointAreaMethod: 0", "NumberOfNeighbors: 20", "PointArea: 0",
-    "EstimateNormals: 0", "NormalEstimation: 0", "ResultArrayName: Area", "Status: 0",
+    "EstimateNormals: 0", "NormalEstimation: 0", "ResultArrayName: Area", "Status: 4",
     "TotalArea: 0", "NormalEstimationUsed: ", "ClearShare: 0"});
   expectPrinted<vtkSurfaceReport>({"FixOrientation: 0", "Advice: ", "FractionalShare: 0"});
   expectPrinted<vtkSourceReader>(

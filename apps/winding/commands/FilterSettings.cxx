@@ -138,7 +138,7 @@ void checkFilter(int status, const std::string& fileName, Messages& messages)
   {
     throw Failure(EXIT_INTERRUPTED, "interrupted"); // on another rank
   }
-  if (status != vtkWindingNumberAlgorithm::DONE)
+  if (status != vtkWindingNumberAlgorithm::DONE && status != vtkWindingNumberAlgorithm::NOT_RUN)
   {
     throw Failure(EXIT_REFUSED, fileName, "the winding field could not be made");
   }

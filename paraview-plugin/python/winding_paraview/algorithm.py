@@ -14,6 +14,7 @@ from vtkmodules.util.numpy_support import create_vtk_array, get_vtk_array_type, 
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 
 from vtkwinding import _library
 from vtkwinding._errors import WindingError, WindingInterrupted, WindingMemoryError
@@ -22,7 +23,7 @@ from . import declarations
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent
 DECLARED = declarations.properties_of(FOLDER / "xml")
-DONE, REFUSED, OUT_OF_MEMORY, ABORTED = range(4)
+DONE, REFUSED, OUT_OF_MEMORY, ABORTED, NOT_RUN = range(5)
 METHODS = ("automatic", "rows", "hierarchical", "direct", "parity")
 ESTIMATIONS = ("automatic", "spanning tree", "winding consistent", "viewpoint")
 RUN = _library.RUN
@@ -132,12 +133,19 @@ class Algorithm(VTKPythonAlgorithmBase):
     def __init__(self, **ports):
         super().__init__(**ports)
         self.values = {name: found.default for name, found in self.properties.items()}
-        self.status = DONE
+        self.status = NOT_RUN
         self._told = None
         self._share = (0.0, 1.0)
 
     def GetStatus(self):
         return self.status
+
+    def ProcessRequest(self, request, inputs, outputs):
+        """Answers the pipeline. There is no result until it gives data, which may fail upstream."""
+        answer = super().ProcessRequest(request, inputs, outputs)
+        if self.status == DONE and not request.Has(Pipeline.REQUEST_DATA()):
+            self.status = NOT_RUN
+        return answer
 
     def value(self, name):
         """The value of a property, which must be one that it may have."""
