@@ -101,7 +101,7 @@ public:
   /// `isLast` whether its surface is.
   void warn(bool isWhole, bool isLast)
   {
-    const bool isAllInside = edges_.size() == 0 && edges_.beginsInside(0, 0);
+    const bool isAllInside = edges_.areAllInside();
     if (isAllInside && isLast && !options_.generate_image)
     {
       call_.warn(winding::allInsideAdvice());
@@ -148,7 +148,7 @@ public:
       handle_.tolerance, edges_, roots_, shape, options_.features == WINDING_FEATURES_SHARP,
       call_.executor);
     const bool isEmpty = made.edges().size() == 0;
-    const bool isAllInside = isEmpty && made.edges().beginsInside(0, 0);
+    const bool isAllInside = made.edges().areAllInside();
     const auto advice = winding::shapeAdvice(grid_, shape, isEmpty, isAllInside);
     if (advice && !(isAllInside && options_.generate_image))
     {
@@ -424,7 +424,7 @@ winding_status winding_boolean(const winding_field* const* fields, size_t count,
             &combined.operands, wished, call, made);
           if (result.size() == 0)
           {
-            const bool isAllInside = result.beginsInside(0, 0);
+            const bool isAllInside = result.areAllInside();
             if (!(isAllInside && wished.generate_image))
             {
               call.warn(isAllInside

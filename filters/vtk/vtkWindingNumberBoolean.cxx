@@ -401,8 +401,7 @@ vtkWindingNumberBoolean::Operand vtkWindingNumberBoolean::MakeOperand(
       operand.edges = std::make_unique<winding::LevelEdges>(field, grid,
         winding::coreInsideRule(this->InsideRule), this->WindingThreshold, this->CloseBorder != 0);
       this->FindEdges(*operand.edges, field, executor);
-      const bool isLost = operand.edges->size() == 0 && !operand.edges->beginsInside(0, 0);
-      if (isLost && !winding::missesSource(grid, field.info().bounds))
+      if (operand.edges->areAllOutside() && !winding::missesSource(grid, field.info().bounds))
       {
         this->WarnOfGrid(field, true, [](int, int, int) { return false; });
       }

@@ -145,8 +145,8 @@ std::shared_ptr<const winding::DistanceTree> vtkWindingNumberSurface::MakeSurfac
         this->WindingThreshold, this->CloseBorder != 0);
       this->FindEdges(edges, field, executor);
       const winding::SolidShape shape = this->GetShape();
-      const bool isAllInside = shape.isPlain() ? this->TellAllInside(edges)
-                                               : edges.size() == 0 && edges.beginsInside(0, 0);
+      const bool isAllInside =
+        shape.isPlain() ? this->TellAllInside(edges) : edges.areAllInside();
       if (this->InsideMatters(field.info()))
       {
         this->WarnOfGrid(field, edges.size() == 0 && !isAllInside,
@@ -202,7 +202,7 @@ void vtkWindingNumberSurface::TellShape(const winding::ShapedSolid& shaped, vtkP
     output->GetFieldData()->AddArray(base);
   }
   const bool isEmpty = shaped.edges().size() == 0;
-  const bool isAllInside = isEmpty && shaped.edges().beginsInside(0, 0);
+  const bool isAllInside = shaped.edges().areAllInside();
   const auto advice = winding::shapeAdvice(this->GetSampling(), shape, isEmpty, isAllInside);
   if (advice && !(isAllInside && this->GenerateImage))
   {

@@ -268,7 +268,7 @@ void vtkWindingNumberSurfaceAlgorithm::FindEdges(
 
 bool vtkWindingNumberSurfaceAlgorithm::TellAllInside(const winding::LevelEdges& edges)
 {
-  const bool isAllInside = edges.size() == 0 && edges.beginsInside(0, 0);
+  const bool isAllInside = edges.areAllInside();
   if (isAllInside && !this->GenerateImage)
   {
     vtkWarningMacro(<< this->GetSourcePrefix() << winding::lineOf(winding::allInsideAdvice()));

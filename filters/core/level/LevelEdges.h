@@ -110,6 +110,12 @@ public:
   /// border.
   bool beginsInside(int j, int k) const { return beginsInside_[this->lineOf(0, j, k) / 3] != 0; }
 
+  ///@{
+  /// Whether no edge is crossed since all samples, of the border too, are inside or outside.
+  bool areAllInside() const { return edges_.empty() && this->beginsInside(0, 0); }
+  bool areAllOutside() const { return edges_.empty() && !this->beginsInside(0, 0); }
+  ///@}
+
   /// Whether a sample, of the border too if there is one, is inside.
   bool isSampleInside(const std::array<int, 3>& sample) const;
 

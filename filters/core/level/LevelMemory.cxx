@@ -10,11 +10,12 @@ namespace winding
 namespace
 {
 
-/// The most memory at a time for each edge: itself, its crossings or its search, its vertex and the
-/// triangles around that. Measured at 512 and 1000 voxels along bunny_70k, maxplanck_open_90k and
-/// kitten_points_normals: 160, 275 and 200.
+/// The memory for each edge that whole rows, or results that are there, have given.
 constexpr double bytesPerKnownEdge = 160;
 
+/// Returns the most memory at a time for each edge: itself, its crossings or its search, its vertex
+/// and the triangles around that. Measured at 512 and 1000 voxels along bunny_70k,
+/// maxplanck_open_90k and kitten_points_normals.
 double bytesPerEdge(const Field& field)
 {
   if (field.info().jumpsOnly())
@@ -22,6 +23,12 @@ double bytesPerEdge(const Field& field)
     return bytesPerKnownEdge;
   }
   return field.info().isSurface ? 275 : 200;
+}
+
+/// Returns a number of bytes that may be more than numbers of bytes can be.
+std::size_t inBytes(double bytes)
+{
+  return static_cast<std::size_t>(std::min(bytes, 1e18));
 }
 
 } // namespace
@@ -63,12 +70,12 @@ double levelEdgesByCoarseGrid(const Field& field, const Grid& grid, InsideRule r
 
 std::size_t bytesOfCombinedSurface(const Grid& grid, double edges)
 {
-  return static_cast<std::size_t>(LevelEdges::bytesOfRows(grid) + bytesPerKnownEdge * edges);
+  return inBytes(LevelEdges::bytesOfRows(grid) + bytesPerKnownEdge * edges);
 }
 
 std::size_t bytesOfLevelSurface(const Field& field, double edges)
 {
-  return static_cast<std::size_t>(std::min(edges * bytesPerEdge(field), 1e18));
+  return inBytes(edges * bytesPerEdge(field));
 }
 
 } // namespace winding

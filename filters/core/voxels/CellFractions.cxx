@@ -52,7 +52,8 @@ double squaredDistance(const ConeTriangle& triangle)
   return isAbove ? std::min(nearest, std::pow(normal.normalized().dot(a), 2)) : nearest;
 }
 
-/// A part of a volume, without what rounding adds, and not −0.
+/// Returns the share of a volume. It is exactly 0 or 1 where it differs from these by rounding
+/// alone, 1e-12 of the volume.
 float shareOf(double inside, double volume)
 {
   constexpr double rounding = 1e-12;
