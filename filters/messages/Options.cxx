@@ -4,6 +4,8 @@
 #include <array>
 #include <atomic>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace winding
 {
@@ -28,6 +30,40 @@ std::vector<Option> makeOptions()
 #undef CHOICE
 #undef OTHER
   return options;
+}
+
+/// Returns what setters call a constant: SpanningTree for SPANNING_TREE. They leave out the
+/// beginning that only distinguishes it from constants of other options.
+std::string inSetter(const std::string& constant)
+{
+  std::size_t first = 0;
+  for (const std::string beginning : {"DISTRIBUTION_", "ESTIMATION_", "LABELS_", "VTK_"})
+  {
+    first = constant.rfind(beginning, 0) == 0 ? beginning.size() : first;
+  }
+  std::string name;
+  for (std::size_t n = first; n < constant.size(); ++n)
+  {
+    const bool isFirst = n == first || constant[n - 1] == '_';
+    if (constant[n] != '_')
+    {
+      name += static_cast<char>(isFirst ? constant[n] : constant[n] - 'A' + 'a');
+    }
+  }
+  return name;
+}
+
+std::map<std::pair<Parameter, int>, std::string> makeNamesOfChoices()
+{
+  std::map<std::pair<Parameter, int>, std::string> names;
+  for (const Option& option : makeOptions())
+  {
+    for (const Choice& choice : option.choices)
+    {
+      names[{option.parameter, choice.number}] = inSetter(choice.constant);
+    }
+  }
+  return names;
 }
 
 /// A thing with names that is no option.
@@ -191,6 +227,13 @@ const Option* optionOf(Parameter parameter)
   const auto found = std::find_if(options.begin(), options.end(),
     [parameter](const Option& option) { return option.parameter == parameter; });
   return found == options.end() ? nullptr : &*found;
+}
+
+const char* nameOfChoice(Parameter parameter, int number)
+{
+  static const std::map<std::pair<Parameter, int>, std::string> names = makeNamesOfChoices();
+  const auto found = names.find({parameter, number});
+  return found == names.end() ? "Unknown" : found->second.c_str();
 }
 
 std::string nameOf(Parameter parameter, FrontEnd frontEnd)

@@ -60,6 +60,10 @@ struct Option
 /// Returns the option, or nullptr for what messages name beside options.
 const Option* optionOf(Parameter parameter);
 
+/// Returns the name that setters give choice `number`, as SpanningTree in
+/// SetNormalEstimationToSpanningTree(), or Unknown where the option has no choice of this number.
+const char* nameOfChoice(Parameter parameter, int number);
+
 /// Returns what a front end calls a parameter, or "" where it does not have it.
 std::string nameOf(Parameter parameter, FrontEnd frontEnd);
 

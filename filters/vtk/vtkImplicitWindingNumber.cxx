@@ -337,6 +337,26 @@ void vtkImplicitWindingNumber::FunctionValue(vtkDataArray* input, vtkDataArray* 
   this->EvaluateFunction(transformed, output);
 }
 
+const char* vtkImplicitWindingNumber::GetMethodAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::method, this->Method);
+}
+
+const char* vtkImplicitWindingNumber::GetNormalEstimationAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::normalEstimation, this->NormalEstimation);
+}
+
+const char* vtkImplicitWindingNumber::GetPointAreaMethodAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::pointAreaMethod, this->PointAreaMethod);
+}
+
+const char* vtkImplicitWindingNumber::GetInsideRuleAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::insideRule, this->InsideRule);
+}
+
 void vtkImplicitWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

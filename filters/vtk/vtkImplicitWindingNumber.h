@@ -83,6 +83,10 @@ public:
   /// function for it. Default SIGNED.
   vtkSetMacro(InsideRule, int);
   vtkGetMacro(InsideRule, int);
+  void SetInsideRuleToSigned() { this->SetInsideRule(vtkWindingNumberAlgorithm::SIGNED); }
+  void SetInsideRuleToAbsolute() { this->SetInsideRule(vtkWindingNumberAlgorithm::ABSOLUTE); }
+  void SetInsideRuleToOdd() { this->SetInsideRule(vtkWindingNumberAlgorithm::ODD); }
+  const char* GetInsideRuleAsString() const;
   ///@}
 
   ///@{
@@ -96,6 +100,11 @@ public:
   /// same names of vtkWindingNumberAlgorithm, but ROWS is for grids and an error here.
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
+  void SetMethodToAutomatic() { this->SetMethod(vtkWindingNumberAlgorithm::AUTOMATIC); }
+  void SetMethodToHierarchical() { this->SetMethod(vtkWindingNumberAlgorithm::HIERARCHICAL); }
+  void SetMethodToDirect() { this->SetMethod(vtkWindingNumberAlgorithm::DIRECT); }
+  void SetMethodToParity() { this->SetMethod(vtkWindingNumberAlgorithm::PARITY); }
+  const char* GetMethodAsString() const;
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   vtkSetMacro(SourceAsPoints, vtkTypeBool);
@@ -125,10 +134,34 @@ public:
   vtkBooleanMacro(EstimateNormals, vtkTypeBool);
   vtkSetMacro(NormalEstimation, int);
   vtkGetMacro(NormalEstimation, int);
+  void SetNormalEstimationToAutomatic()
+  {
+    this->SetNormalEstimation(vtkWindingNumberAlgorithm::ESTIMATION_AUTOMATIC);
+  }
+  void SetNormalEstimationToSpanningTree()
+  {
+    this->SetNormalEstimation(vtkWindingNumberAlgorithm::SPANNING_TREE);
+  }
+  void SetNormalEstimationToWindingConsistent()
+  {
+    this->SetNormalEstimation(vtkWindingNumberAlgorithm::WINDING_CONSISTENT);
+  }
+  const char* GetNormalEstimationAsString() const;
   vtkSetStringMacro(Toward);
   vtkGetStringMacro(Toward);
   vtkSetMacro(PointAreaMethod, int);
   vtkGetMacro(PointAreaMethod, int);
+  void SetPointAreaMethodToVoronoi()
+  {
+    this->SetPointAreaMethod(vtkWindingNumberAlgorithm::VORONOI);
+  }
+  void SetPointAreaMethodToMesh() { this->SetPointAreaMethod(vtkWindingNumberAlgorithm::MESH); }
+  void SetPointAreaMethodToConstant()
+  {
+    this->SetPointAreaMethod(vtkWindingNumberAlgorithm::CONSTANT);
+  }
+  void SetPointAreaMethodToArray() { this->SetPointAreaMethod(vtkWindingNumberAlgorithm::ARRAY); }
+  const char* GetPointAreaMethodAsString() const;
   vtkSetMacro(NumberOfNeighbors, int);
   vtkGetMacro(NumberOfNeighbors, int);
   vtkSetMacro(PointArea, double);

@@ -346,6 +346,21 @@ double vtkPointAreas::GetClearShare() const
   return this->ClearShare;
 }
 
+const char* vtkPointAreas::GetSourceDistributionAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::sourceDistribution, this->SourceDistribution);
+}
+
+const char* vtkPointAreas::GetNormalEstimationAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::normalEstimation, this->NormalEstimation);
+}
+
+const char* vtkPointAreas::GetPointAreaMethodAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::pointAreaMethod, this->PointAreaMethod);
+}
+
 void vtkPointAreas::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -45,7 +45,8 @@
 
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkPassInputTypeAlgorithm.h"
-#include "vtkSmartPointer.h" // for the controller
+#include "vtkSmartPointer.h"           // for the controller
+#include "vtkWindingNumberAlgorithm.h" // for the choices
 
 namespace winding
 {
@@ -74,6 +75,10 @@ public:
   /// The way in which points get their areas. Default VORONOI.
   vtkSetMacro(PointAreaMethod, int);
   vtkGetMacro(PointAreaMethod, int);
+  void SetPointAreaMethodToVoronoi() { this->SetPointAreaMethod(VORONOI); }
+  void SetPointAreaMethodToMesh() { this->SetPointAreaMethod(MESH); }
+  void SetPointAreaMethodToConstant() { this->SetPointAreaMethod(CONSTANT); }
+  const char* GetPointAreaMethodAsString() const;
   ///@}
 
   ///@{
@@ -112,6 +117,19 @@ public:
   /// vtkWindingNumberAlgorithm.
   vtkSetMacro(NormalEstimation, int);
   vtkGetMacro(NormalEstimation, int);
+  void SetNormalEstimationToAutomatic()
+  {
+    this->SetNormalEstimation(vtkWindingNumberAlgorithm::ESTIMATION_AUTOMATIC);
+  }
+  void SetNormalEstimationToSpanningTree()
+  {
+    this->SetNormalEstimation(vtkWindingNumberAlgorithm::SPANNING_TREE);
+  }
+  void SetNormalEstimationToWindingConsistent()
+  {
+    this->SetNormalEstimation(vtkWindingNumberAlgorithm::WINDING_CONSISTENT);
+  }
+  const char* GetNormalEstimationAsString() const;
   ///@}
 
   ///@{
@@ -141,6 +159,19 @@ public:
   vtkMultiProcessController* GetController() const;
   vtkSetMacro(SourceDistribution, int);
   vtkGetMacro(SourceDistribution, int);
+  void SetSourceDistributionToAutomatic()
+  {
+    this->SetSourceDistribution(vtkWindingNumberAlgorithm::DISTRIBUTION_AUTOMATIC);
+  }
+  void SetSourceDistributionToDistributed()
+  {
+    this->SetSourceDistribution(vtkWindingNumberAlgorithm::DISTRIBUTED);
+  }
+  void SetSourceDistributionToReplicated()
+  {
+    this->SetSourceDistribution(vtkWindingNumberAlgorithm::REPLICATED);
+  }
+  const char* GetSourceDistributionAsString() const;
   ///@}
 
   /// The way in which the last execution has ended, of vtkWindingNumberAlgorithm::StatusType.

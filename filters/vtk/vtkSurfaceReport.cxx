@@ -1,6 +1,7 @@
 #include "vtkSurfaceReport.h"
 
 #include "base/Refusal.h"
+#include "messages/Options.h"
 #include "messages/PropertyChecks.h"
 #include "private/output/FaultBlocks.h"
 #include "private/output/SourceReport.h"
@@ -389,6 +390,11 @@ double vtkSurfaceReport::GetInwardShare()
 vtkIdType vtkSurfaceReport::GetNumberOfNonFinite()
 {
   return this->GetCount("non_finite");
+}
+
+const char* vtkSurfaceReport::GetSourceDistributionAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::sourceDistribution, this->SourceDistribution);
 }
 
 void vtkSurfaceReport::PrintSelf(ostream& os, vtkIndent indent)

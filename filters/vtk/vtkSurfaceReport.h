@@ -134,7 +134,8 @@
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkNew.h"                  // for the report
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // for the controller
+#include "vtkSmartPointer.h"           // for the controller
+#include "vtkWindingNumberAlgorithm.h" // for the choices
 
 #include <string> // for the advice in lines
 
@@ -202,6 +203,19 @@ public:
   vtkMultiProcessController* GetController() const;
   vtkSetMacro(SourceDistribution, int);
   vtkGetMacro(SourceDistribution, int);
+  void SetSourceDistributionToAutomatic()
+  {
+    this->SetSourceDistribution(vtkWindingNumberAlgorithm::DISTRIBUTION_AUTOMATIC);
+  }
+  void SetSourceDistributionToDistributed()
+  {
+    this->SetSourceDistribution(vtkWindingNumberAlgorithm::DISTRIBUTED);
+  }
+  void SetSourceDistributionToReplicated()
+  {
+    this->SetSourceDistribution(vtkWindingNumberAlgorithm::REPLICATED);
+  }
+  const char* GetSourceDistributionAsString() const;
   ///@}
 
   /// The second output: the blocks that show the faults of a surface.

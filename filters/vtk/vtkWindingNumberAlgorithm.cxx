@@ -653,6 +653,31 @@ vtkIdType vtkWindingNumberAlgorithm::GetNumberOfCapTriangles() const
   return static_cast<vtkIdType>(this->GetSourceInfo().capTriangles);
 }
 
+const char* vtkWindingNumberAlgorithm::GetMethodAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::method, this->Method);
+}
+
+const char* vtkWindingNumberAlgorithm::GetSourceDistributionAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::sourceDistribution, this->SourceDistribution);
+}
+
+const char* vtkWindingNumberAlgorithm::GetNormalEstimationAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::normalEstimation, this->NormalEstimation);
+}
+
+const char* vtkWindingNumberAlgorithm::GetPointAreaMethodAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::pointAreaMethod, this->PointAreaMethod);
+}
+
+const char* vtkWindingNumberAlgorithm::GetInsideRuleAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::insideRule, this->InsideRule);
+}
+
 void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -180,6 +180,12 @@ public:
   /// The method by which w is computed. Default AUTOMATIC.
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);
+  void SetMethodToAutomatic() { this->SetMethod(AUTOMATIC); }
+  void SetMethodToRows() { this->SetMethod(ROWS); }
+  void SetMethodToHierarchical() { this->SetMethod(HIERARCHICAL); }
+  void SetMethodToDirect() { this->SetMethod(DIRECT); }
+  void SetMethodToParity() { this->SetMethod(PARITY); }
+  const char* GetMethodAsString() const;
   ///@}
 
   ///@{
@@ -292,6 +298,10 @@ public:
   /// it takes five to six times as long. Default ESTIMATION_AUTOMATIC.
   vtkSetMacro(NormalEstimation, int);
   vtkGetMacro(NormalEstimation, int);
+  void SetNormalEstimationToAutomatic() { this->SetNormalEstimation(ESTIMATION_AUTOMATIC); }
+  void SetNormalEstimationToSpanningTree() { this->SetNormalEstimation(SPANNING_TREE); }
+  void SetNormalEstimationToWindingConsistent() { this->SetNormalEstimation(WINDING_CONSISTENT); }
+  const char* GetNormalEstimationAsString() const;
   ///@}
 
   ///@{
@@ -310,6 +320,11 @@ public:
   /// The way in which the points of a cloud get their areas. Default VORONOI.
   vtkSetMacro(PointAreaMethod, int);
   vtkGetMacro(PointAreaMethod, int);
+  void SetPointAreaMethodToVoronoi() { this->SetPointAreaMethod(VORONOI); }
+  void SetPointAreaMethodToMesh() { this->SetPointAreaMethod(MESH); }
+  void SetPointAreaMethodToConstant() { this->SetPointAreaMethod(CONSTANT); }
+  void SetPointAreaMethodToArray() { this->SetPointAreaMethod(ARRAY); }
+  const char* GetPointAreaMethodAsString() const;
   ///@}
 
   ///@{
@@ -354,6 +369,10 @@ public:
   /// The rule by which a sample counts as inside. Default SIGNED.
   vtkSetMacro(InsideRule, int);
   vtkGetMacro(InsideRule, int);
+  void SetInsideRuleToSigned() { this->SetInsideRule(SIGNED); }
+  void SetInsideRuleToAbsolute() { this->SetInsideRule(ABSOLUTE); }
+  void SetInsideRuleToOdd() { this->SetInsideRule(ODD); }
+  const char* GetInsideRuleAsString() const;
   ///@}
 
   ///@{
@@ -375,6 +394,10 @@ public:
   /// be REPLICATED: each rank would take its part for the whole. Default DISTRIBUTION_AUTOMATIC.
   vtkSetMacro(SourceDistribution, int);
   vtkGetMacro(SourceDistribution, int);
+  void SetSourceDistributionToAutomatic() { this->SetSourceDistribution(DISTRIBUTION_AUTOMATIC); }
+  void SetSourceDistributionToDistributed() { this->SetSourceDistribution(DISTRIBUTED); }
+  void SetSourceDistributionToReplicated() { this->SetSourceDistribution(REPLICATED); }
+  const char* GetSourceDistributionAsString() const;
   ///@}
 
   ///@{

@@ -456,6 +456,11 @@ void vtkWindingNumberBoolean::MakeResult(const std::vector<Operand>& operands, v
   this->UpdateProgress(1);
 }
 
+const char* vtkWindingNumberBoolean::GetOperationAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::booleanOperation, this->Operation);
+}
+
 void vtkWindingNumberBoolean::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

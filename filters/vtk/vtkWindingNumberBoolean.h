@@ -83,6 +83,7 @@ public:
   void SetOperationToIntersection() { this->SetOperation(INTERSECTION); }
   void SetOperationToDifference() { this->SetOperation(DIFFERENCE); }
   void SetOperationToSymmetricDifference() { this->SetOperation(SYMMETRIC_DIFFERENCE); }
+  const char* GetOperationAsString() const;
   ///@}
 
   /// Removes all connections of port 1.

@@ -2,6 +2,7 @@
 
 #include "base/Executor.h"
 #include "field/InsideOut.h"
+#include "messages/Options.h"
 #include "messages/PropertyChecks.h"
 #include "private/output/NearestAttributes.h"
 #include "private/output/ResultArrays.h"
@@ -194,6 +195,11 @@ void vtkWindingNumberField::WarnOfPieces(const vtkIdType counts[4])
         }
       });
   this->Status = static_cast<int>(outcome);
+}
+
+const char* vtkWindingNumberField::GetOutputScalarTypeAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::outputScalarType, this->OutputScalarType);
 }
 
 void vtkWindingNumberField::PrintSelf(ostream& os, vtkIndent indent)

@@ -108,6 +108,7 @@ public:
   vtkGetMacro(OutputScalarType, int);
   void SetOutputScalarTypeToFloat() { this->SetOutputScalarType(VTK_FLOAT); }
   void SetOutputScalarTypeToDouble() { this->SetOutputScalarType(VTK_DOUBLE); }
+  const char* GetOutputScalarTypeAsString() const;
   ///@}
 
   ///@{

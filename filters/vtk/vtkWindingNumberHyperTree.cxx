@@ -2,6 +2,7 @@
 
 #include "field/InsideOut.h"
 #include "level/VoxelTreesMemory.h"
+#include "messages/Options.h"
 #include "messages/PropertyChecks.h"
 #include "private/output/TreeGrid.h"
 #include "private/pipeline/FreeMemory.h"
@@ -221,6 +222,16 @@ void vtkWindingNumberHyperTree::TellTolerance(
     tolerance->InsertNextValue(this->MergeTolerance);
     output->GetFieldData()->AddArray(tolerance);
   }
+}
+
+const char* vtkWindingNumberHyperTree::GetCoverageAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::coverage, this->Coverage);
+}
+
+const char* vtkWindingNumberHyperTree::GetOutputScalarTypeAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::outputScalarType, this->OutputScalarType);
 }
 
 void vtkWindingNumberHyperTree::PrintSelf(ostream& os, vtkIndent indent)

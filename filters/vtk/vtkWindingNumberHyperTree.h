@@ -51,6 +51,7 @@
 #define vtkWindingNumberHyperTree_h
 
 #include "vtkWindingNumberGridAlgorithm.h"
+#include "vtkWindingNumberImageAlgorithm.h" // for the choices
 
 namespace winding
 {
@@ -92,6 +93,7 @@ public:
   vtkGetMacro(OutputScalarType, int);
   void SetOutputScalarTypeToFloat() { this->SetOutputScalarType(VTK_FLOAT); }
   void SetOutputScalarTypeToDouble() { this->SetOutputScalarType(VTK_DOUBLE); }
+  const char* GetOutputScalarTypeAsString() const;
   ///@}
 
   ///@{
@@ -99,6 +101,10 @@ public:
   /// CENTER (0). ANY (1) and FRACTION (2) add the array "Inside", FRACTION also "Coverage".
   vtkSetMacro(Coverage, int);
   vtkGetMacro(Coverage, int);
+  void SetCoverageToCenter() { this->SetCoverage(vtkWindingNumberImageAlgorithm::CENTER); }
+  void SetCoverageToAny() { this->SetCoverage(vtkWindingNumberImageAlgorithm::ANY); }
+  void SetCoverageToFraction() { this->SetCoverage(vtkWindingNumberImageAlgorithm::FRACTION); }
+  const char* GetCoverageAsString() const;
   ///@}
 
   ///@{

@@ -1,6 +1,7 @@
 #include "vtkWindingNumberImageAlgorithm.h"
 
 #include "base/Refusal.h"
+#include "messages/Options.h"
 #include "messages/PropertyChecks.h"
 #include "private/source/ContentHash.h"
 #include "private/source/ImageGrid.h"
@@ -303,6 +304,16 @@ std::size_t vtkWindingNumberImageAlgorithm::GetAdditionalBytes(
   const winding::Field& field, vtkIdType samples)
 {
   return this->GetVoxelEvaluation().additionalBytes(field, static_cast<std::size_t>(samples));
+}
+
+const char* vtkWindingNumberImageAlgorithm::GetOutputAssociationAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::outputAssociation, this->OutputAssociation);
+}
+
+const char* vtkWindingNumberImageAlgorithm::GetCoverageAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::coverage, this->Coverage);
 }
 
 void vtkWindingNumberImageAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

@@ -64,6 +64,7 @@ public:
   vtkGetMacro(OutputAssociation, int);
   void SetOutputAssociationToPoints() { this->SetOutputAssociation(POINTS); }
   void SetOutputAssociationToCells() { this->SetOutputAssociation(CELLS); }
+  const char* GetOutputAssociationAsString() const;
   ///@}
 
   /// The rules by which a voxel, which is the box of one spacing around its sample, is inside.
@@ -94,6 +95,7 @@ public:
   void SetCoverageToCenter() { this->SetCoverage(CENTER); }
   void SetCoverageToAny() { this->SetCoverage(ANY); }
   void SetCoverageToFraction() { this->SetCoverage(FRACTION); }
+  const char* GetCoverageAsString() const;
   ///@}
 
   ///@{

@@ -490,6 +490,16 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
   }
 }
 
+const char* vtkWindingNumberLabels::GetOverlapRuleAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::overlapRule, this->OverlapRule);
+}
+
+const char* vtkWindingNumberLabels::GetCoverageArraysAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::coverageArrays, this->CoverageArrays);
+}
+
 void vtkWindingNumberLabels::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

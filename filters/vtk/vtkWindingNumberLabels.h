@@ -105,6 +105,11 @@ public:
   /// The rule by which a voxel that lies in several solids gets its label. Default FIRST.
   vtkSetMacro(OverlapRule, int);
   vtkGetMacro(OverlapRule, int);
+  void SetOverlapRuleToFirst() { this->SetOverlapRule(FIRST); }
+  void SetOverlapRuleToLast() { this->SetOverlapRule(LAST); }
+  void SetOverlapRuleToLargestWindingNumber() { this->SetOverlapRule(LARGEST_WINDING_NUMBER); }
+  void SetOverlapRuleToSmallestVolume() { this->SetOverlapRule(SMALLEST_VOLUME); }
+  const char* GetOverlapRuleAsString() const;
   ///@}
 
   ///@{
@@ -130,6 +135,9 @@ public:
   /// The arrays that the coverage FRACTION adds. Default TWO_LARGEST.
   vtkSetMacro(CoverageArrays, int);
   vtkGetMacro(CoverageArrays, int);
+  void SetCoverageArraysToTwoLargest() { this->SetCoverageArrays(TWO_LARGEST); }
+  void SetCoverageArraysToEachLabel() { this->SetCoverageArrays(EACH_LABEL); }
+  const char* GetCoverageArraysAsString() const;
   ///@}
 
   ///@{

@@ -212,6 +212,16 @@ vtkSmartPointer<vtkDataSet> vtkWindingNumberProbe::PartOf(
   return winding::insidePart(data, inside, this->SamplesCells());
 }
 
+const char* vtkWindingNumberProbe::GetOutputScalarTypeAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::outputScalarType, this->OutputScalarType);
+}
+
+const char* vtkWindingNumberProbe::GetProbeAssociationAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::probeAssociation, this->ProbeAssociation);
+}
+
 void vtkWindingNumberProbe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

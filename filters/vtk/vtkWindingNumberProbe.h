@@ -73,6 +73,7 @@ public:
   vtkGetMacro(ProbeAssociation, int);
   void SetProbeAssociationToPoints() { this->SetProbeAssociation(POINTS); }
   void SetProbeAssociationToCells() { this->SetProbeAssociation(CELLS); }
+  const char* GetProbeAssociationAsString() const;
   ///@}
 
   ///@{
@@ -140,6 +141,7 @@ public:
   vtkGetMacro(OutputScalarType, int);
   void SetOutputScalarTypeToFloat() { this->SetOutputScalarType(VTK_FLOAT); }
   void SetOutputScalarTypeToDouble() { this->SetOutputScalarType(VTK_DOUBLE); }
+  const char* GetOutputScalarTypeAsString() const;
   ///@}
 
   ///@{

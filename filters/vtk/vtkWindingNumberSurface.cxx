@@ -250,6 +250,11 @@ void vtkWindingNumberSurface::VerifyWholeGrid(const winding::Field& field)
   this->Verify(field, extent, values.values());
 }
 
+const char* vtkWindingNumberSurface::GetShellSideAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::shellSide, this->ShellSide);
+}
+
 void vtkWindingNumberSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

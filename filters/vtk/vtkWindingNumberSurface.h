@@ -88,6 +88,10 @@ public:
   /// open source as a sheet, unless Offset or FillCavities is set. Default INWARD.
   vtkSetMacro(ShellSide, int);
   vtkGetMacro(ShellSide, int);
+  void SetShellSideToInward() { this->SetShellSide(INWARD); }
+  void SetShellSideToOutward() { this->SetShellSide(OUTWARD); }
+  void SetShellSideToCentered() { this->SetShellSide(CENTERED); }
+  const char* GetShellSideAsString() const;
   ///@}
 
   ///@{

@@ -401,6 +401,11 @@ void vtkWindingNumberSurfaceAlgorithm::AddNearest(vtkDataObject* source, vtkPoly
   }
 }
 
+const char* vtkWindingNumberSurfaceAlgorithm::GetFeaturesAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::features, this->Features);
+}
+
 void vtkWindingNumberSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

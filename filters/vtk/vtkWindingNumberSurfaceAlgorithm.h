@@ -72,6 +72,10 @@ public:
   /// The kind of the surface, as described above. Default SMOOTH.
   vtkSetMacro(Features, int);
   vtkGetMacro(Features, int);
+  void SetFeaturesToSmooth() { this->SetFeatures(SMOOTH); }
+  void SetFeaturesToSharp() { this->SetFeatures(SHARP); }
+  void SetFeaturesToVoxels() { this->SetFeatures(VOXELS); }
+  const char* GetFeaturesAsString() const;
   ///@}
 
   ///@{

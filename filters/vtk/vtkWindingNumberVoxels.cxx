@@ -397,6 +397,16 @@ void vtkWindingNumberVoxels::WarnOfNegative(vtkDataArray* values)
   }
 }
 
+const char* vtkWindingNumberVoxels::GetInsideRuleAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::insideRule, this->InsideRule);
+}
+
+const char* vtkWindingNumberVoxels::GetByLabelAsString() const
+{
+  return winding::nameOfChoice(winding::Parameter::byLabel, this->ByLabel);
+}
+
 void vtkWindingNumberVoxels::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

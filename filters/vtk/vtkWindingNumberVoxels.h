@@ -36,6 +36,7 @@
 
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkWindingNumberAlgorithm.h" // for the choices
 
 class vtkDataArray;
 class vtkImageData;
@@ -58,6 +59,10 @@ public:
   /// SIGNED.
   vtkSetMacro(InsideRule, int);
   vtkGetMacro(InsideRule, int);
+  void SetInsideRuleToSigned() { this->SetInsideRule(vtkWindingNumberAlgorithm::SIGNED); }
+  void SetInsideRuleToAbsolute() { this->SetInsideRule(vtkWindingNumberAlgorithm::ABSOLUTE); }
+  void SetInsideRuleToOdd() { this->SetInsideRule(vtkWindingNumberAlgorithm::ODD); }
+  const char* GetInsideRuleAsString() const;
   ///@}
 
   /// The values of ByLabel.
@@ -74,6 +79,10 @@ public:
   vtkSetClampMacro(ByLabel, int, LABELS_OFF, LABELS_AUTOMATIC);
   vtkGetMacro(ByLabel, int);
   vtkBooleanMacro(ByLabel, int);
+  void SetByLabelToOff() { this->SetByLabel(LABELS_OFF); }
+  void SetByLabelToOn() { this->SetByLabel(LABELS_ON); }
+  void SetByLabelToAutomatic() { this->SetByLabel(LABELS_AUTOMATIC); }
+  const char* GetByLabelAsString() const;
   ///@}
 
   ///@{

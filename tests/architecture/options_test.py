@@ -18,6 +18,8 @@ OTHER_DEFAULTS = {("WindingNumberHyperTree", "MaskOutside"), ("SurfaceReport", "
 AMBIGUOUS = {"ResultArrayName", "PointAreaMethod"}
 # Each rank may have its own of these: they change no result (docs/scale.md).
 NOT_HASHED = {"NumberOfThreads", "LongestExpectedTime", "VerifySamples"}
+# What these classes refuse.
+NOT_CHOSEN = {("vtkImplicitWindingNumber", "ROWS"), ("vtkPointAreas", "ARRAY")}
 # What the hash of a filter's properties is made of.
 HASHED = "HashProperties|GetSourceOptions|GetResultOptions|WantsDistances|SamplesCells|KeepsPart"
 
@@ -82,6 +84,33 @@ def check_classes(root, options):
                 continue  # a default that another constant gives
             if not right:
                 yield f"{name}: a header has {value}, the list {option.default}"
+
+
+def in_setter(constant):
+    """SpanningTree for SPANNING_TREE, without what tells it from a constant of another option."""
+    constant = re.sub("^(DISTRIBUTION|ESTIMATION|LABELS|VTK)_", "", constant)
+    return "".join(word.capitalize() for word in constant.split("_"))
+
+
+def check_choices(root, options):
+    """Every choice has a setter without an argument, and every property gives its name."""
+    found = 0
+    for path in sorted((root / "filters/vtk").glob("*.h")):
+        text = path.read_text()
+        for option in options:
+            name = option.property
+            if (not option.choices or name == "OutputPointsPrecision" or
+                    not re.search(rf"^  vtkSet\w*Macro\({name}\b", text, re.MULTILINE)):
+                continue  # precisions have VTK's own constants
+            if f"const char* Get{name}AsString() const;" not in text:
+                yield f"{path.stem}: there is no Get{name}AsString()"
+            for names in option.choices.values():
+                found += f"  void Set{name}To{in_setter(names[0])}()" in text
+                if (f"  void Set{name}To{in_setter(names[0])}()" not in text and
+                        (path.stem, names[0]) not in NOT_CHOSEN):
+                    yield f"{path.stem}: there is no Set{name}To{in_setter(names[0])}()"
+    if found < 70:
+        yield f"only {found} choices have setters"
 
 
 def check_hash(root, options):
@@ -153,8 +182,8 @@ def check_front_ends(root, options):
 
 def main(root):
     options = options_in(root / "filters" / "Options.def")
-    faults = [*check_classes(root, options), *check_hash(root, options),
-              *check_panels(root, options), *check_front_ends(root, options)]
+    faults = [*check_classes(root, options), *check_choices(root, options),
+              *check_hash(root, options), *check_panels(root, options), *check_front_ends(root, options)]
     print(f"{len(options)} options")
     for fault in faults:
         print("FAULT", fault)

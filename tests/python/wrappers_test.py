@@ -148,6 +148,25 @@ class ClassesTest(unittest.TestCase):
                     count += 1
         self.assertGreater(count, 150)  # 176 with VTK 9.1
 
+    def test_choices_are_set_by_name(self):
+        count = 0
+        for name in CLASSES:
+            if name in ABSTRACT:
+                continue
+            instance = getattr(vtkFiltersWinding, name)()
+            for method in dir(instance):
+                choice = re.fullmatch(r"Set(\w+?)To([A-Z]\w*)", method)
+                named = choice and getattr(instance, f"Get{choice[1]}AsString", None)
+                if named:
+                    with self.subTest(f"{name}.{method}"):
+                        getattr(instance, method)()
+                        self.assertEqual(named(), choice[2])
+                        count += 1
+        self.assertGreater(count, 150)  # 217 with VTK 9.1
+        field = vtkFiltersWinding.vtkWindingNumberField()
+        field.SetMethod(5)
+        self.assertEqual(field.GetMethodAsString(), "Unknown")
+
     def test_values_have_names(self):
         self.assertEqual(vtkFiltersWinding.vtkWindingNumberAlgorithm.HIERARCHICAL, 2)
         self.assertEqual(vtkFiltersWinding.vtkWindingNumberField.FRACTION, 2)
