@@ -16,7 +16,7 @@ def arguments():
         parser.add_argument("--" + name, required=True)
     parser.add_argument("--flags", default="", help="of the compiler, such as those of sanitizers")
     found = parser.parse_args()
-    found.folder = pathlib.Path(found.folder)
+    found.folder, found.prefix = pathlib.Path(found.folder), pathlib.Path(found.prefix)
     return found
 
 

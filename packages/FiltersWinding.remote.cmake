@@ -1,0 +1,7 @@
+# For VTK's folder Remote: has VTK build the module along with its own, by
+# -D Module_FiltersWinding=ON. WINDING_REPOSITORY is where the repository is cloned from. Highway, Eigen
+# and nanoflann have to be installed. The test install.module_tree_configures reads this file.
+vtk_fetch_module(FiltersWinding
+  "Winding-number fields of surfaces and oriented point clouds"
+  GIT_REPOSITORY "${WINDING_REPOSITORY}"
+  GIT_TAG "${WINDING_TAG}")
