@@ -149,10 +149,10 @@ TEST(Clouds, HaveReportsAndNormalsToTurn)
 
 TEST(Tables, KeepTheirColumns)
 {
-  const char* const path = "panels_test.csv";
+  const std::string path = testing::TempDir() + "panels_test.csv";
   std::ofstream(path) << "x,y,z,area,t,name\n1,2,3,4,7,a\n5,6,7,8,9,b\n";
   winding_mesh* mesh = nullptr;
-  ASSERT_EQ(winding_read_table(path, 1, nullptr, &mesh, nullptr), WINDING_OK);
+  ASSERT_EQ(winding_read_table(path.c_str(), 1, nullptr, &mesh, nullptr), WINDING_OK);
   auto arrays = with(winding_mesh_arrays_init);
   ASSERT_EQ(winding_mesh_show(mesh, &arrays, nullptr), WINDING_OK);
   ASSERT_EQ(arrays.column_count, 2);
@@ -171,12 +171,13 @@ TEST(Tables, KeepTheirColumns)
 
 TEST(Tables, MayBeOtherFilesOfPoints)
 {
-  const auto columnsOf = [](const char* path, const char* text, const char* columns)
+  const auto columnsOf = [](const std::string& name, const char* text, const char* columns)
   {
+    const std::string path = testing::TempDir() + name;
     std::ofstream(path) << text;
     winding_mesh* mesh = nullptr;
-    EXPECT_EQ(columns ? winding_read_columns(path, columns, nullptr, &mesh, nullptr)
-                      : winding_read_table(path, 1, nullptr, &mesh, nullptr),
+    EXPECT_EQ(columns ? winding_read_columns(path.c_str(), columns, nullptr, &mesh, nullptr)
+                      : winding_read_table(path.c_str(), 1, nullptr, &mesh, nullptr),
       WINDING_OK);
     auto arrays = with(winding_mesh_arrays_init);
     EXPECT_EQ(winding_mesh_show(mesh, &arrays, nullptr), WINDING_OK);
