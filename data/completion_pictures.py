@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The pictures of docs/guide.md of what is half or open, and of a mask on an oblique image."""
 
 import math

@@ -1,4 +1,7 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
+
 # Fetches the Stanford bunny into build/data, and cuts holes into a copy of it:
 #   bunny00.off      75 408 triangles, closed
 #   bunny_holes.off  the same with three holes, the demo's input

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The picture of labels in docs/guide.md: a bone with an implant, by voxels and by its surfaces."""
 
 import os

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The picture of estimated normals in docs/clouds.md: a bare scan, and its solid by both ways."""
 
 import itertools

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """What the scripts that draw pictures have in common: reading, looks, panels side by side.
 
 Wants VTK's Python modules (Debian: python3-vtk9) and a display (without one: xvfb-run).

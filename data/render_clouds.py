@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws an uneven cloud, points of a mesh, and the surfaces that `winding` makes of it with one area for all
 points, with Voronoi areas, and of the mesh that the points are of, side by side, into one PNG.
 

@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws a mesh and what the program `winding` made of it side by side, into one PNG.
 
 Wants VTK's Python modules (Debian: python3-vtk9) and a display (without one: xvfb-run).

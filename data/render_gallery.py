@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws the pictures of GALLERY.md: runs `winding` on a mesh and shows what came out.
 
 Wants VTK's Python modules (Debian: python3-vtk9) and a display (without one: xvfb-run).

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Renders the pictures in the help of ParaView's plugin: each filter's input beside its output.
 
     xvfb-run -a build/paraview-sdk/usr/bin/pvpython data/render_plugin_help.py paraview-plugin/help

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The picture of offsets, shells and booleans in docs/guide.md, of a scan with holes."""
 
 import os

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The pictures of the tasks of docs/guide.md: a soup, thin voxels, distances, a clipped mesh."""
 
 import math

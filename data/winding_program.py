@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The program `winding`, run for the scripts that draw pictures, and what it made, read."""
 
 import os

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 # The interface in C, as pages and, one for each function, as manual pages.
 @INCLUDE               = docs/Doxyfile
 PROJECT_NAME           = "libwinding"

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
+
 # How the sources of this project are compiled, in the builds of the repository and of the wheel.
 
 set(CMAKE_CXX_STANDARD 17)

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
+
 # What libwinding and the wheels are built with: Highway, and headers of Eigen and nanoflann. What the
 # system has of them is taken. What it lacks is fetched, and Highway then linked statically.
 #

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
+
 # For VTK's folder Remote: has VTK build the module along with its own, by
 # -D Module_FiltersWinding=ON. WINDING_REPOSITORY is where the repository is cloned from. Highway, Eigen
 # and nanoflann have to be installed. The test install.module_tree_configures reads this file.

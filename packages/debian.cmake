@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
+
 # Debian packages by CPack, from a build for the prefix /usr (the presets package and
 # package-paraview, which ./dev packages builds). The VTK that was built against decides which one:
 # vtk-winding for Debian's VTK, paraview-winding for that in Debian's ParaView. They may be installed

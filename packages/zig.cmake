@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
+
 # A CMake toolchain: the compilers of the Python package ziglang, which has the headers and libraries
 # of C and C++ for many systems. ./dev wheels uses it; docs/library.md says how to.
 #

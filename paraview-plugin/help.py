@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes the pages that the "?" of ParaView's property panels shows, one for each filter or reader.
 
     python3 help.py <folder to write to> <file.xml…>

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
+
 # winding_install_licence(<package> <library> <files…>): puts the licence of a library that is linked
 # into a wheel next to its package. Files are those of the library's sources or of Debian's package,
 # and those that are there are taken; none is an error.

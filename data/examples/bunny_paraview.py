@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The bunny with holes in ParaView: a slice of its winding number, half of the surface w = 0.5, and the
 box of the field.
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // The part of a volume mesh that lies inside a surface, which need not be closed.
 //
 //   clip_mesh surface.obj mesh.vtu part.vtu

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Points, with normals or without, become a field of winding numbers and of what is inside.
 //
 //   cloud_to_field cloud.xyz field.vti [resolution]

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A scan, holes and all, becomes a solid that can be printed.
 //
 //   scan_to_solid scan.obj solid.stl [resolution]

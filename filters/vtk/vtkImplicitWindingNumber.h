@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkImplicitWindingNumber
  * @brief   implicit function of the winding number of a surface or an oriented point cloud

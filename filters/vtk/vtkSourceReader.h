@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSourceReader
  * @brief   read surfaces and points from files of many formats, in full or not at all

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSurfaceReport
  * @brief   the health of a surface or an oriented point cloud, with regard to winding numbers

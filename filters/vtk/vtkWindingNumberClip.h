@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkWindingNumberClip
  * @brief   cuts what is inside of a source out of any data set

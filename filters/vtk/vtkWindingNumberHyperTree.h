@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkWindingNumberHyperTree
  * @brief   winding-number field on a grid that is fine at the surface only, as a hyper tree grid

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkWindingNumberProbeAlgorithm
  * @brief   base class of winding-number filters that evaluate the points or cells of a data set

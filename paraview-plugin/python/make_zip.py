@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes the zip of the ParaView plugin in Python for one platform.
 
     make_zip.py <libwinding> <platform> <folder> [<licence>…]

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
+
 # Type stubs of the wrapped module, by VTK's generator. It imports the package from the build tree;
 # the libraries of the wheel vtk have to be there before the module finds those of the SDK.
 set(package "${CMAKE_CURRENT_BINARY_DIR}/vtkwinding_native")

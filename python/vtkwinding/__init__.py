@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Winding numbers of surfaces that need not be closed, and of oriented points.
 
 For NumPy arrays there is Field, which is built once and asked often, and functions for one question:

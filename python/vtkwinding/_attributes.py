@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """What results take over from a source: ids of the nearest cells, and the arrays of its points and
 cells at the nearest places."""
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Checks of data sets, before code of VTK follows their cells, which would end the program."""
 
 import numpy as np

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Data objects of VTK as arrays of NumPy, by the classes of the package that they come from.
 
 Packages such as vtkmodules and cvista have the same classes, which do not go together. None is

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """libwinding, by ctypes: its structs, and calls that raise, warn, show progress and heed Ctrl-C.
 
 The library has no Python in it, so one build serves all versions of Python. winding.h says what the

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Arrays of numbers as the functions take them, or exceptions that say what was given instead."""
 
 import numpy as np

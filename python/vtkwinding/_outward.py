@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Which way the polygons of an outer surface look: away from their own cells, or into them.
 
 A face looks outward where the faces of its cell, agreeing with each other, enclose a volume of more

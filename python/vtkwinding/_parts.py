@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Parts of data sets of VTK that are inside: cells that are kept whole, and cells that are cut."""
 
 import ctypes

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Options of fields, spelled out for help() and for checkers of types."""
 
 from __future__ import annotations

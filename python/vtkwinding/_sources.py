@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Sources of winding numbers: data objects of VTK as arrays that a field is made of.
 
 Polydata are surfaces, and clouds where they have no faces. Other meshes count through their outer

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The geometry of masks, laid out as voxelize_binary_mask() of PyVista does it."""
 
 import math

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """mesh.winding: winding numbers of the meshes of PyVista, which imports this at its first use.
 
 The mesh may be a surface, which need not be closed, a cloud of points with normals, a volume mesh,

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Functions of NumPy arrays: meshes are vertices and faces, results are arrays.
 
 vtkwinding.fields says what a surface and a cloud are, and what all options mean. A Field is built

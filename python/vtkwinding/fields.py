@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Fields that are built once and asked often, and what else there is for arrays of NumPy.
 
 A surface is vertices (V, 3) and faces (F, 3), ids of its vertices, counter-clockwise seen from

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// Small broken files, each of which made the program crash, hang or give a wrong answer once.
 
 #include "apps/Inputs.h"

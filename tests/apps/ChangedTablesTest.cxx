@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// Tables of queries that something happens to, whose rows are handed on.
 
 #include "apps/Inputs.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// Images and grids as queries. Of medical ones the header says where the voxels lie.
 
 #include "apps/Images.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// Legacy .vtk files that are whole, in the many ways in which they can be written.
 
 #include "apps/Inputs.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// Results that lie on an image, and medical images as outputs. tests/apps/medical_images.py has
 /// other programs read them.
 

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// Data sets come through the program with all of their arrays: readers of VTK are in another
 /// process, from which they have to come back to the bit.
 

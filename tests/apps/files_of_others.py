@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The program reads files that other libraries write: VTKHDF by h5py, 3MF by trimesh and lib3mf.
 
 Environment: WINDING_PROGRAM. Without a library its tests are skipped; without any the status is 77.

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Masks on medical images lie where nibabel and SimpleITK look for them.
 
 Environment: WINDING_PROGRAM. Without nibabel or SimpleITK nothing is tested, and the status is 77;

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Includes respect what docs/architecture.md states: the floors of filters/core, of the helpers in
 filters/vtk/private and of apps/winding, and who may know whom in filters.
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Commits say what they do as CONTRIBUTING.md asks: `area: imperative`, at most 72 characters.
 
 Usage: commits_test.py <root of the repository>. Looks at all commits behind the last one of the

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """ParaView's readers and the documents have the suffixes of the two tables of formats.
 
 Usage: formats_test.py <root of the repository>. Prints one line for each fault, and fails if there

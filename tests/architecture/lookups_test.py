@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The module looks values up by ways that threads may share.
 
 Usage: lookups_test.py <root of the repository>. vtkDataArray's GetTuple1(i) to GetTuple9(i) and

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Properties, PrintSelf(), the program, Python and ParaView's panels agree with Options.def.
 
 Usage: options_test.py <root of the repository>. Reads filters/Options.def and the sources, prints one

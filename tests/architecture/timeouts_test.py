@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Every test has a time limit, so that one that hangs fails instead of holding up all others.
 
 Usage: timeouts_test.py <ctest> <build folder> <configuration>. Prints the tests without a limit, and

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Lines have at most 100 columns, comments open with a verb or their subject, and words that make a
 reader read twice only get fewer.
 

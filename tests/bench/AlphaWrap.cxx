@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Wraps a triangle mesh by CGAL's alpha wrapping, which offsets it outward, for solids_peers.py:
 //   alpha_wrap <in.off> <alpha> <offset> <out.off>
 // Prints the seconds of the wrapping.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Measures the time per primitive and sample of the methods that sum over all primitives, on one
 // thread, for the triangles of a lumpy closed surface and for their centroids as points.
 

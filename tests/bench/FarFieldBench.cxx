@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Measures the far field: its inner loops for each order, per node, sample or dipole, on one
 // thread; the tree and the moments per source, and whole evaluations per sample, on one thread and
 // on two.

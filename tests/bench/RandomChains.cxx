@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Compares rows and caps with the direct sum, on as many random chains as there is time for.
 // random_chains [cases] [first seed] [triangles] [tolerance]: prints the seeds of failures and a
 // summary, and returns 1 if any case failed. By default there are 10000 cases of 12 triangles

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Measures readers of files: those of the module on one thread and on all, and VTK's where there is
 // one.
 //

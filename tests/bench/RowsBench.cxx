@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Measures the parts of method rows: welding and boundary per triangle, on one thread and on two;
 // and on one thread the cap per boundary edge, crossings and bytes per second on a grid, and the
 // sum over the cap per triangle and sample.

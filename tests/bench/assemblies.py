@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes the closed meshes of several parts on which estimated normals are measured.
 
 Usage: assemblies.py <folder> [<meshes> [<overlaps> [<seed>]]]

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Compares normals estimated for bare points with those of other programs.
 
 Usage: cloud_peers.py <winding> <points> <noise in percent of the diagonal> <mesh>…

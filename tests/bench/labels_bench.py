@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Times `winding labels` of several solids beside one `winding field --inside-only` for each.
 
 Usage: labels_bench.py <winding> [rounds [resolution [arrangement…]]]

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes large meshes for measurements by splitting the triangles of a mesh at their midpoints.
 
 Usage: large_meshes.py <mesh>.ply <folder> [times…] [damaged] [cloud]

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Times winding numbers and signed distances beside libigl and Open3D, in one run.
 
 Usage: points_peers.py <winding> <folder of meshes> [--points N…] [--grid N] [--meshes name…]

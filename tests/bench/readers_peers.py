@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Rates of readers per format: the module's, VTK's, and those of maintained libraries of Python.
 
 Usage: readers_peers.py <readers_bench> <mesh>.ply [older winding]

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Compares booleans and offsets with those of other programs.
 
 Usage: solids_peers.py booleans|broken|offsets <winding> <resolution> <mesh>…

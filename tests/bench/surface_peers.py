@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Compares surfaces of closed meshes with those of other programs, on grids of the same voxels.
 
 Usage: surface_peers.py <winding> <resolution> <mesh>…

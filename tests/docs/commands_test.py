@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Every command of the pages does what it says: those of `winding` are run, on inputs made for that, and
 those that build are checked against the presets, options and commands that there are.
 

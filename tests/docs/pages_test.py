@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The pages hang together: links, anchors, pictures and the files that they name exist.
 
 Usage: pages_test.py <root of the repository>. Prints one line for each fault, and fails if there is any.

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Doxygen makes the API reference without a warning; of the public headers everything is documented,
 and every function in C has a manual page.
 

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
  * A library to be loaded before all others (LD_PRELOAD), which does something to a file at the

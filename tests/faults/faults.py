@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """What the program does when the machine and other programs fail it: nothing final is ever partial, no
 old file is lost, no hidden file stays, and every status is one of 0, 1, 2, 3 and 130.
 

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// Threads and blocks change nothing in what the parser of PLY finds, and interruption ends it.
 
 #include "files/PlyFiles.h"

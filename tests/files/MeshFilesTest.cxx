@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// The parsers of text: what they give, what they refuse, and that threads and blocks change
 /// nothing.
 

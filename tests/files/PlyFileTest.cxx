@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// The parser of PLY: text and both orders of bytes, numbers of all types, lists of any lengths.
 
 #include "files/PlyFiles.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// The parser of STL: text and binary files, what it refuses, and that threads and blocks change
 /// nothing.
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A fuzzer of one check of the core: its name comes from CMake. A failure ends the program with a
 // message, and libFuzzer keeps the case.
 

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Tries every check of the core on random cases, one case for each seed.
 // differential [cases] [first seed] [threads] [check]: prints the seeds of failures and a summary,
 // and returns 1 if any case failed. By default there are 1000 cases of all checks together, on all

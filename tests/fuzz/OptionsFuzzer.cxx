@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A fuzzer of the command line: each line of a case is an argument.
 
 #include "options/CommandLine.h"

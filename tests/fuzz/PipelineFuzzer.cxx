@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A fuzzer of the filters by data that a pipeline may bring: polydata and grids whose offsets, ids,
 // types, faces and arrays are wrong now and then. A filter gives a result or an error.
 

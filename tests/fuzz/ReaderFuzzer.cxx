@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A fuzzer of readInput() and readQueries() for files of one suffix, which comes from CMake. What
 // is read goes through a field, or through a probe where it is no source, so that whatever a reader
 // lets through meets a filter.

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A fuzzer of the surfaces that come out: closed ones, without edges of more than two faces, smooth
 // ones without two points at one place and sharp ones (vtkWindingNumberSurface), and closed ones of
 // voxels (vtkWindingNumberVoxels). Sources are random meshes and clouds.

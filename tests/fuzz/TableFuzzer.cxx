@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // A fuzzer of tables: all that can be asked of one, in blocks of any size, and the rows.
 
 #include "FuzzedFile.h"

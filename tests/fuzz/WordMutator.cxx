@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Changes files as formats are made: words and lines are removed, repeated, exchanged and replaced
 // by numbers and words that are hard on readers. Half of the changes are libFuzzer's own, of bytes.
 

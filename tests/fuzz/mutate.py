@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs the program on mutated files of every format, and fails where it does anything but its
 work or a refusal.
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs fuzzers, as many at a time as there are processors, and prints a line on each.
 
 Usage: run.py <folder of the fuzzers> <folder for corpora> <folder for failing cases> <seconds>

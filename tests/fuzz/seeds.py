@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes small files of every format that the program reads, in many variants, for fuzzers.
 
 Usage: seeds.py <folder>: a folder for each suffix, and options with command lines.

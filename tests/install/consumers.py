@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """What the tests of the installed package share: configuring, building and running what uses it."""
 
 import argparse

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The C++ of the documents builds against the installed package, runs, and writes the files that it says.
 
 A block of code becomes a function of a program that has all blocks of its page, on inputs made for that.

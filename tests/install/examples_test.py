@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The programs of data/examples build against the installed package, and the commands of the page there
 make what they say."""
 

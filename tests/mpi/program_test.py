@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The program `winding` under mpirun: results are those of one rank, and failures are one line.
 
 Usage: program_test.py <the program winding> <mpirun> <number of ranks> <compare_images>. Prints what

@@ -1,4 +1,7 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
+
 # Roots of other versions of Debian, in which this checkout is built and tested (./dev newer).
 #
 # Usage: root.sh make <root> <suite>       makes a small root of a suite of Debian, unless it is there

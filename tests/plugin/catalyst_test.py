@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Catalyst runs the example in_situ.py for a simulation, here a ball that moves."""
 import math
 import os

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """How ParaView shows what the filters give at first: representations, colours and contours."""
 import unittest
 

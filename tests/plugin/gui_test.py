@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """ParaView's own window, as a user has it: opens a mesh, applies each filter of the plugin from the
 menu, and compares what is then seen with the pictures in baselines. What cannot be done is asked
 for, too, for there a window shows more than the filter's own error, and more than once.

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """What gui_test.py runs in the Python shell of ParaView's window, in between its clicks."""
 import functools
 import json

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The pages of help that the "?" of the property panel shows. The folder with the file of help is
 in the environment variable WINDING_HELP."""
 import html.parser

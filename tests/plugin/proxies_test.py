@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """What the XML declares, beside what the classes have, and what a saved state keeps."""
 import os
 import pathlib

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The plugin in Python makes what the plugin in C++ makes, to the bit, and each opens states of the
 other. The zip is unpacked into a folder of its own, as users do it, and ParaView's own interpreter
 runs it."""

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """What the filters of a plugin make of real meshes, for python_plugin_test.py to compare plugins.
 
 Arguments: a folder of meshes, and the file of JSON that receives digests of all arrays. The plugin

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The state and scripts of data/examples/paraview, and recorded scripts: they run in a pvpython
 that loads the plugin by itself."""
 import importlib

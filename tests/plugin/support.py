@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """What the tests of the plugin share. The plugin's file is in the environment variable WINDING_PLUGIN,
 the folder of real meshes in WINDING_SHARED_DATA."""
 import contextlib

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Messages name properties by the labels of the panels, in the words of tests/messages."""
 import os
 import pathlib

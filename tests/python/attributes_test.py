@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """What surfaces take over from their source: the same bits by the package and by the filters."""
 
 import pathlib

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The functions, the filters in a pipeline of Python and the program give the same bits.
 
 The environment says where the program is (WINDING_PROGRAM); without it, it is left out. It may have

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The Python of docs/python.md and of README.md runs, on inputs made for that."""
 
 import contextlib

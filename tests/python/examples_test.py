@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The scripts of data/examples/python run, and draw their pictures without a window."""
 
 import pathlib

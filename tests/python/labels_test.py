@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Labels of several solids, and surfaces of them that meet without gaps.
 
 The smooth surface is by VTK's own vtkSurfaceNets3D, which VTK has from 9.3 on.

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Data objects of VTK as sources of the library, and parts of them: the same as by the filters."""
 
 import unittest

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Messages name options by the keywords of this package, in the words of tests/messages."""
 
 import pathlib

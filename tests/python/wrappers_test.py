@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """VTK's wrappers of the module: every public class is there, documented, and runs in a pipeline.
 
 The environment may say where the package has to come from (WINDING_PACKAGE) and below which folder

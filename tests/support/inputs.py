@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes the files that the commands and the programs of the documents read, small and always the same.
 
 Usage: inputs.py <folder>

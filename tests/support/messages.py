@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The words that users see: tests/messages/words.txt, and the inputs there that lead to them."""
 
 import pathlib

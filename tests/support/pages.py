@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The pages of the repository as the tests see them: prose, links, headings and blocks of code."""
 
 import pathlib

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// Sources that are half, open on one side, or sheets: mirrors, bases, sides and welding.
 
 #include "vtk/ErrorLog.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// Data sets that contradict themselves come to every filter by its pipeline, and are refused in
 /// one line. VTK's classes would follow what they say, out of their memory.
 

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// Fields and labels that lie on an image.
 
 #include "vtk/ErrorLog.h"

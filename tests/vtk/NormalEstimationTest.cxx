@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// Normals estimated through the filters: orders of points and threads, clouds that are hard or
 /// nothing at all, progress and abort.
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The wheels of ./dev wheels are whole, and what can run here gives the right numbers.
 
 Usage: wheels_test.py <folder of wheels> <folder of builds> <system…>

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 /// Lets an exception that nobody can catch (memory that runs out in a destructor, or while an error

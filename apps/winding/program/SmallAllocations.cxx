@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
  * operator new of the whole program. A large allocation that fails is thrown as std::bad_alloc: the

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /* Makes a closed surface of a broken one, with libwinding alone: no VTK, and no C++.
  *
  * Usage: solid INPUT OUTPUT.off [RESOLUTION] */

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Parts that overlap become one solid: where w is 1 and 2, and the surface of their union.
 
     xvfb-run -a pvpython data/examples/paraview/assembly.py --picture assembly.png

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """From points with normals to a surface: the areas of the points, and the surface w = 0.5.
 
     xvfb-run -a pvpython data/examples/paraview/cloud.py --picture cloud.png

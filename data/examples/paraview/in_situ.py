@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
+
 # script-version: 2.0
 """Makes the winding number of the hull that a simulation hands to Catalyst at each step.
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes the models of these examples, each of a formula:
 
     scan.off       the head of a fox with three holes, as scanners leave them

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """From an open scan to a solid: the scan with its holes, and the closed surface w = 0.5.
 
     xvfb-run -a pvpython data/examples/paraview/open_scan.py --picture open_scan.png

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """What the examples open_scan.py, cloud.py and assembly.py share: arguments, colours, and files."""
 import argparse
 import os

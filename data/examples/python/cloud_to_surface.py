@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """From points alone to a surface: python cloud_to_surface.py [--picture surface.png]"""
 
 # %% Points of a bent tube, as a scanner gives them: without faces and without normals.

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The part of a grid inside an open surface: python inside_of_a_grid.py [--picture part.png]"""
 
 # %% A sphere with its top cut off, and a grid of tetrahedra around it.

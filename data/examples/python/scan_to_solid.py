@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """From a scan, holes and all, to a solid: python scan_to_solid.py [mesh] [--picture solid.png]"""
 
 # %% A mesh with faces that look outward; here two rings that overlap, with holes in them.

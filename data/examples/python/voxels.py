@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Voxels of a mesh, for simulations and for learning: python voxels.py [--picture voxels.png]"""
 
 # %% A body of parts that overlap.

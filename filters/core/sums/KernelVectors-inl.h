@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Vectors of three numbers per lane, for kernels of gradients. The file is compiled once for every
 // instruction set: a file that uses it includes it after foreach_target.h.
 #if defined(WINDING_KERNEL_VECTORS_INL_H) == defined(HWY_TARGET_TOGGLE)

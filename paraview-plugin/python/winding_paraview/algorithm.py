@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """What all filters of the plugin have in common: properties by the XML, errors in one line,
 warnings, progress and abort."""
 

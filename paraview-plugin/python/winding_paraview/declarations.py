@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The XML files of the plugin in C++, as a plugin in Python needs them.
 
 They are read as they are. Classes are replaced by those of this package, icons by files, and hyper

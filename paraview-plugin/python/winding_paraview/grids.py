@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Filters on regular grids: how a grid is laid out, images of it in any extents, and Winding Number
 Field."""
 

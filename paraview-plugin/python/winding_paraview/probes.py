@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Filters at the points or cells of any data set: Winding Number Probe and Winding Number Clip."""
 
 import ctypes

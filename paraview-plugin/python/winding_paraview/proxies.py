@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The classes that proxies of ParaView name, each as in C++ without vtk before it."""
 
 from .booleans import WindingNumberBoolean

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Surface Report: counts of what is wrong with a surface or a cloud, and where."""
 
 import ctypes

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Winding Number Labels: the solids of an input, and the voxels that are in them."""
 
 import ctypes

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Filters that are about the winding number of a source: how it becomes a field of the library, on
 one rank or on several."""
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Filters that give surfaces: Winding Number Surface, and Winding Number Voxels. What surfaces of
 solids have in common is SurfaceAlgorithm."""
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """The filters of Winding for pipelines of VTK, in vtkwinding_native.vtkFiltersWinding.
 
 They work with the minor version of VTK that they were built for. With any other, the import says

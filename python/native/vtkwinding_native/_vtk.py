@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Loads VTK and then the compiled module, which fits the minor version it was built against."""
 
 import importlib

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+
 // Measures the methods and what they are made of. Usage: laboratory <subject> [files…] [options];
 // --help lists the subjects.
 #include "laboratory/BenchOptions.h"

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// Normals that the winding number agrees with: clouds on which a spanning tree fails, noise, bits
 /// for threads and orders of points, and clouds that enclose nothing.
 

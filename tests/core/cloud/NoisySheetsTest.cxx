@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// Planes of noisy sheets that are close to each other, and normals smoothed along them.
 
 #include "cloud/NoisySheets.h"

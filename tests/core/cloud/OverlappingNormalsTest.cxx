@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// Normals of solids that lie in each other: walls within other solids keep their senses, cavities
 /// do, too, and automatic normals are about as good as either way of finding them.
 

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 /// Surfaces and clouds that their owner completes: planes of symmetry, a flat base, the side of a
 /// sheet, and points that are made one.
 
