@@ -58,12 +58,14 @@
 
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkImplicitFunction.h"
-#include "vtkSmartPointer.h"           // for the input
+#include "vtkSmartPointer.h" // for the input
+#include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberAlgorithm.h" // for the meaning of properties and their values
 
 #include <memory> // for the field that was built
 #include <vector> // for values
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 
 class VTKFILTERSWINDING_EXPORT vtkImplicitWindingNumber : public vtkImplicitFunction
@@ -237,5 +239,6 @@ private:
   vtkSmartPointer<vtkDataObject> Input;
   std::unique_ptr<Internals> Internal;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -47,7 +47,8 @@
 
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkPassInputTypeAlgorithm.h"
-#include "vtkSmartPointer.h"           // for the controller
+#include "vtkSmartPointer.h" // for the controller
+#include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberAlgorithm.h" // for the choices
 
 namespace winding
@@ -56,6 +57,7 @@ class Executor;
 class Ranks;
 struct PointCloud;
 } // namespace winding
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMultiProcessController;
 
 class VTKFILTERSWINDING_EXPORT vtkPointAreas : public vtkPassInputTypeAlgorithm
@@ -223,5 +225,6 @@ private:
   void AddAreas(vtkDataObject* data, winding::Ranks& ranks);
   void FindNormalsAndAreas(winding::PointCloud& cloud, winding::Executor& executor);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

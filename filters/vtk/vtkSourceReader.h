@@ -84,6 +84,7 @@
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkNew.h"                  // for ColumnNames
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkWindingABINamespace.h"
 
 #include <memory> // for the table
 #include <string> // for the header
@@ -96,6 +97,7 @@ class InputFile;
 struct PointTable;
 } // namespace winding
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkStringArray;
 
 class VTKFILTERSWINDING_EXPORT vtkSourceReader : public vtkPolyDataAlgorithm
@@ -198,5 +200,6 @@ private:
   vtkNew<vtkStringArray> ColumnNames;
   std::unique_ptr<winding::PointTable> Table; ///< the header and the rows of the last file
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

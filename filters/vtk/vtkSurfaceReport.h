@@ -136,7 +136,8 @@
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkNew.h"                  // for the report
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h"           // for the controller
+#include "vtkSmartPointer.h" // for the controller
+#include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberAlgorithm.h" // for the choices
 
 #include <string> // for the advice in lines
@@ -145,6 +146,7 @@ namespace winding
 {
 class Ranks;
 }
+VTK_ABI_NAMESPACE_BEGIN
 class vtkFieldData;
 class vtkMultiBlockDataSet;
 class vtkMultiProcessController;
@@ -300,5 +302,6 @@ protected:
   vtkNew<vtkFieldData> Report;
   std::string AdviceInLines;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

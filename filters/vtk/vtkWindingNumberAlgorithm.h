@@ -61,6 +61,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkSmartPointer.h"         // for the controller
+#include "vtkWindingABINamespace.h"
 
 #include <functional>
 #include <memory> // for the field of the source, which is kept
@@ -80,6 +81,7 @@ struct SideCounts;
 struct ImageFrame;
 struct SourceOptions;
 } // namespace winding
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkMultiProcessController;
 
@@ -672,5 +674,6 @@ private:
   int InformationStatus = DONE;     ///< how the last request for information ended
   vtkMTimeType TimeOfLastError = 0; ///< of the pipeline when an error was reported; 0: none
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -47,6 +47,7 @@
 #ifndef vtkWindingNumberBoolean_h
 #define vtkWindingNumberBoolean_h
 
+#include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberSurfaceAlgorithm.h"
 
 #include <map>
@@ -54,12 +55,13 @@
 #include <string>
 #include <vector>
 
-class vtkMultiBlockDataSet;
-
 namespace winding
 {
 struct LabelFacts;
 } // namespace winding
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkMultiBlockDataSet;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberBoolean : public vtkWindingNumberSurfaceAlgorithm
 {
@@ -157,5 +159,6 @@ private:
   double KeptBytes = 0; ///< of the operands that are done
   double KeptEdges = 0; ///< of the same
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

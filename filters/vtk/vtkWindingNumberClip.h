@@ -51,10 +51,12 @@
 #ifndef vtkWindingNumberClip_h
 #define vtkWindingNumberClip_h
 
+#include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberProbeAlgorithm.h"
 
 #include <vector> // for the numbers by which cells are cut
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberClip : public vtkWindingNumberProbeAlgorithm
 {
 public:
@@ -88,5 +90,6 @@ private:
   std::vector<double> CutDistances; ///< one for each sample, while the output is made
   vtkIdType SamplesDone = 0;        ///< samples of the data sets that have been cut
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

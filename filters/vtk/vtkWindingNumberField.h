@@ -43,6 +43,7 @@
 #ifndef vtkWindingNumberField_h
 #define vtkWindingNumberField_h
 
+#include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberImageAlgorithm.h"
 
 namespace winding
@@ -51,6 +52,7 @@ class ResultArrays;
 struct ResultOptions;
 } // namespace winding
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberField : public vtkWindingNumberImageAlgorithm
 {
 public:
@@ -170,5 +172,6 @@ private:
   void EvaluateVoxels(const winding::Field& field, const std::array<int, 6>& samples,
     const winding::ResultArrays& results);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

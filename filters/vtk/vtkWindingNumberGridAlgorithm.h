@@ -21,6 +21,7 @@
 #ifndef vtkWindingNumberGridAlgorithm_h
 #define vtkWindingNumberGridAlgorithm_h
 
+#include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberAlgorithm.h"
 
 #include <array>      // for extents
@@ -34,6 +35,7 @@ struct Grid;
 struct GridRequest;
 struct Verification;
 } // namespace winding
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberGridAlgorithm : public vtkWindingNumberAlgorithm
@@ -247,5 +249,6 @@ private:
   std::unique_ptr<winding::Grid> LaidOut;        ///< grid of the last LayOutGrid()
   std::unique_ptr<winding::Grid> Sampling;       ///< grid of LayOutGrid() or MoveGrid()
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -52,6 +52,7 @@
 #ifndef vtkWindingNumberHyperTree_h
 #define vtkWindingNumberHyperTree_h
 
+#include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberGridAlgorithm.h"
 #include "vtkWindingNumberImageAlgorithm.h" // for the choices
 
@@ -60,6 +61,7 @@ namespace winding
 struct ResultOptions;
 struct VoxelTreeOptions;
 } // namespace winding
+VTK_ABI_NAMESPACE_BEGIN
 class vtkHyperTreeGrid;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberHyperTree : public vtkWindingNumberGridAlgorithm
@@ -184,5 +186,6 @@ private:
   void MakeTrees(const winding::Field& field, vtkHyperTreeGrid* output);
   void TellTolerance(const winding::Field& field, vtkHyperTreeGrid* output) const;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

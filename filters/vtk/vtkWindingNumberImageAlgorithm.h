@@ -27,12 +27,14 @@
 #ifndef vtkWindingNumberImageAlgorithm_h
 #define vtkWindingNumberImageAlgorithm_h
 
+#include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberGridAlgorithm.h"
 
 namespace winding
 {
 struct VoxelEvaluation;
 }
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSetAttributes;
 class vtkImageData;
 
@@ -160,5 +162,6 @@ private:
 
   vtkSmartPointer<vtkImageData> Like; ///< place of the image to lie on, without arrays; may be null
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -65,14 +65,13 @@
 #define vtkWindingNumberLabels_h
 
 #include "vtkSmartPointer.h" // for several inputs
+#include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberImageAlgorithm.h"
 
 #include <cstddef> // for std::size_t
 #include <map>     // for the names of inputs
 #include <string>  // for the names of solids
 #include <vector>  // for solids that have voxels
-
-class vtkMultiBlockDataSet;
 
 namespace winding
 {
@@ -82,6 +81,9 @@ struct LabelFacts;
 struct LabelImageOptions;
 struct SolidEvaluationOptions;
 } // namespace winding
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkMultiBlockDataSet;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberLabels : public vtkWindingNumberImageAlgorithm
 {
@@ -227,5 +229,6 @@ private:
   std::map<int, std::string> InputNames;
   vtkSmartPointer<vtkMultiBlockDataSet> Blocks; ///< several inputs, as GetSource() returned them
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

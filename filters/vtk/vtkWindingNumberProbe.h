@@ -44,8 +44,10 @@
 #define vtkWindingNumberProbe_h
 
 #include "vtkNew.h" // for arrays of samples
+#include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberProbeAlgorithm.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkFloatArray;
 class vtkPointData;
 
@@ -208,5 +210,6 @@ private:
   vtkSmartPointer<vtkFloatArray> Fractions; ///< of the cells of all data sets; null between updates
   vtkNew<vtkPointData> NearestCells;        ///< of all samples of the execution at hand
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -28,6 +28,7 @@
 #define vtkWindingNumberProbeAlgorithm_h
 
 #include "vtkSmartPointer.h" // for the flags that IsInside() reads
+#include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberAlgorithm.h"
 
 namespace winding
@@ -39,6 +40,7 @@ struct ProbeLeaf;
 struct ProbeWords;
 struct ResultOptions;
 } // namespace winding
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
 class vtkDataSetAttributes;
 class vtkUnsignedCharArray;
@@ -158,5 +160,6 @@ private:
 
   vtkSmartPointer<vtkUnsignedCharArray> InsideFlags; ///< one for each query; null before the first
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

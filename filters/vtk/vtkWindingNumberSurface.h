@@ -32,6 +32,7 @@
 #ifndef vtkWindingNumberSurface_h
 #define vtkWindingNumberSurface_h
 
+#include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberSurfaceAlgorithm.h"
 
 #include <memory>
@@ -44,6 +45,7 @@ class ShapedSolid;
 struct SolidShape;
 } // namespace winding
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberSurface : public vtkWindingNumberSurfaceAlgorithm
 {
 public:
@@ -163,5 +165,6 @@ private:
 
   std::string FidelityInWords;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

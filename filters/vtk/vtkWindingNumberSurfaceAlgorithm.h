@@ -39,14 +39,12 @@
 #ifndef vtkWindingNumberSurfaceAlgorithm_h
 #define vtkWindingNumberSurfaceAlgorithm_h
 
+#include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberGridAlgorithm.h"
 
 #include <cstdint>
 #include <functional>
 #include <vector>
-
-class vtkImageData;
-class vtkPolyData;
 
 namespace winding
 {
@@ -54,6 +52,10 @@ class LevelEdges;
 class SmpExecutor;
 struct EdgeRoots;
 } // namespace winding
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkImageData;
+class vtkPolyData;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberSurfaceAlgorithm
   : public vtkWindingNumberGridAlgorithm
@@ -238,5 +240,6 @@ protected:
 private:
   bool NeedsDoublePoints() const;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

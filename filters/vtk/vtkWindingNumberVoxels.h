@@ -38,8 +38,10 @@
 
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberAlgorithm.h" // for the choices
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
 
@@ -142,5 +144,6 @@ private:
   void AddNearest(vtkDataObject* source, vtkPolyData* output);
   void WarnOfNegative(vtkDataArray* values);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -5,11 +5,14 @@
 #include "support/Shapes.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 /// A way to deal a source's primitives out to ranks.
 struct Deal

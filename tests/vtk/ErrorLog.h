@@ -3,12 +3,15 @@
 #pragma once
 
 #include "vtkWeakPointer.h"
+#include "vtkWindingABINamespace.h"
 
 #include <string>
 #include <utility>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkObject;
+VTK_ABI_NAMESPACE_END
 
 /// Catches what a VTK object reports while the log lives, instead of letting it go to standard
 /// error.

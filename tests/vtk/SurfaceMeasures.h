@@ -3,13 +3,16 @@
 #pragma once
 
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkPolyData;
 class vtkWindingNumberGridAlgorithm;
 class vtkWindingNumberSurface;
+VTK_ABI_NAMESPACE_END
 
 /// @file Measures of smooth surfaces, for tests.
 

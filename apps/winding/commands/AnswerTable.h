@@ -6,13 +6,16 @@
 #include "input/QueryTable.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 class OutputFile;
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
+VTK_ABI_NAMESPACE_END
 
 /// The points asked about, and the table that they come from, if they come from one.
 struct Queries

@@ -5,6 +5,7 @@
 #include "files/ImageSpace.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
 #include <memory>
 #include <string>
@@ -12,7 +13,9 @@
 
 class Messages;
 class OutputFile;
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
+VTK_ABI_NAMESPACE_END
 struct Options;
 
 /// Returns the files that no output may replace: those that are read, or none with --overwrite.

@@ -3,13 +3,16 @@
 #pragma once
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
 #include <vector>
 
 class Messages;
 struct Options;
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
 class vtkWindingNumberProbe;
+VTK_ABI_NAMESPACE_END
 
 /// The answer to queries.
 struct ProbeAnswer

@@ -3,12 +3,15 @@
 #pragma once
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 /// The extent of points of an image, as VTK counts them.
 using SlabExtent = std::array<int, 6>;

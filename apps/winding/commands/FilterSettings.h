@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "vtkWindingABINamespace.h"
+
 #include <string>
 
 class Messages;
 struct Options;
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
 class vtkWindingNumberAlgorithm;
 class vtkWindingNumberField;
@@ -13,6 +16,7 @@ class vtkWindingNumberGridAlgorithm;
 class vtkWindingNumberHyperTree;
 class vtkWindingNumberImageAlgorithm;
 class vtkWindingNumberLabels;
+VTK_ABI_NAMESPACE_END
 
 /// Hands on to a filter how to make winding numbers and what to make of them: method, areas,
 /// threshold, arrays, threads.

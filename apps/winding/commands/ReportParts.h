@@ -4,10 +4,14 @@
 
 #include "program/Print.h"
 
+#include "vtkWindingABINamespace.h"
+
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkWindingNumberAlgorithm;
+VTK_ABI_NAMESPACE_END
 
 /**
  * @file

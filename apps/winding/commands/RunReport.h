@@ -7,13 +7,16 @@
 #include "program/Stopwatch.h"
 
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
 #include <string>
 #include <vector>
 
 struct Options;
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
 class vtkWindingNumberGridAlgorithm;
+VTK_ABI_NAMESPACE_END
 
 /// The figures of a run of a filter (FieldRun.h) since this was made, and the report on them.
 class RunReport

@@ -4,13 +4,16 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
 class FieldRun;
 class OutputFile;
 class PiecesFile;
+VTK_ABI_NAMESPACE_BEGIN
 class vtkHyperTreeGrid;
 class vtkImageData;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 /**
  * @file

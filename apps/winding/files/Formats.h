@@ -3,10 +3,13 @@
 #pragma once
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
+VTK_ABI_NAMESPACE_END
 
 /// Returns the end of a file name that says what is in the file: from its last dot on, in small
 /// letters, or ".nii.gz". May be empty.

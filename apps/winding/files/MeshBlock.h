@@ -3,6 +3,7 @@
 #pragma once
 
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
 #include <Eigen/Core>
 
@@ -10,7 +11,9 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMultiBlockDataSet;
+VTK_ABI_NAMESPACE_END
 
 /// Points and cells of a block that a reader makes. Its numbers of points are not checked.
 struct MeshBlock

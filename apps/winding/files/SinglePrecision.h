@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "vtkWindingABINamespace.h"
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
+VTK_ABI_NAMESPACE_END
 
 /// Returns how well single precision holds the coordinates of points.
 enum class SinglePrecision

@@ -3,12 +3,15 @@
 #pragma once
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
 #include <cstddef>
 #include <string>
 #include <type_traits>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
+VTK_ABI_NAMESPACE_END
 
 /// Takes bytes, as they are in memory, on their way to another process of this program.
 class ByteSink

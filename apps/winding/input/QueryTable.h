@@ -3,12 +3,15 @@
 #pragma once
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
 #include <string>
 
 class Messages;
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
 class vtkSourceReader;
+VTK_ABI_NAMESPACE_END
 
 /// A table of points that are asked about.
 class QueryTable

@@ -5,14 +5,17 @@
 #include "files/ImageSpace.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
 #include <string>
 
 class Messages;
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkDataSet;
 class vtkPointSet;
 class vtkSourceReader;
+VTK_ABI_NAMESPACE_END
 
 /// The columns that are read of tables and points; other files have none.
 struct ColumnOptions

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "vtkWindingABINamespace.h"
+
 #include <string>
 #include <vector>
 
 class Messages;
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMultiBlockDataSet;
+VTK_ABI_NAMESPACE_END
 
 /**
  * A .vtm file: an index of blocks, which are files of their own in a folder next to it that has its

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "vtkWindingABINamespace.h"
+
 class Messages;
 class OutputFile;
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 /**
  * Writes points with active normals in the format of the file's suffix; commit() is left to the

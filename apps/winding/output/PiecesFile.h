@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "vtkWindingABINamespace.h"
+
 #include <array>
 #include <functional>
 #include <string>
 #include <vector>
 
 class Messages;
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 /**
  * A .pvti file: an index of pieces, which are .vti files in a folder next to it that has its name

@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "vtkWindingABINamespace.h"
+
 #include <functional>
 
 class Messages;
 class OutputFile;
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
 class vtkDataSet;
 class vtkHyperTreeGrid;
 class vtkImageData;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 /**
  * @file

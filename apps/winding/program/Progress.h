@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "vtkWindingABINamespace.h"
+
 #include <chrono>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
 class vtkObject;
+VTK_ABI_NAMESPACE_END
 
 /// The parts of a run, which have their shares of one bar: reading 30 %, preparing 10 % and more
 /// where it shows progress, and of each of the pieces that share the rest, evaluating 90 %.

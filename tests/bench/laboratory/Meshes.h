@@ -5,14 +5,17 @@
 #include "laboratory/Triangles.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
 #include <functional>
 #include <string>
 
 class Messages;
 struct BenchOptions;
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 /**
  * The triangles of a data set: polygons as fans from their first vertex and strips unrolled, as the

@@ -6,13 +6,16 @@
 #include "source/Grid.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
 #include <functional>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 /**
  * @file

@@ -8,8 +8,11 @@
 #include "surface/SurfaceEdges.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkMultiBlockDataSet;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

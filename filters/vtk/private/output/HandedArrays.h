@@ -6,10 +6,13 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCellArray;
 class vtkPolyData;
 class vtkTypeInt64Array;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -6,12 +6,15 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkDataSetAttributes;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

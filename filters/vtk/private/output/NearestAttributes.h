@@ -10,6 +10,7 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
 #include <cstddef>
 #include <functional>
@@ -18,11 +19,13 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAbstractArray;
 class vtkDataObject;
 class vtkDataSetAttributes;
 class vtkFieldData;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -8,11 +8,14 @@
 #include "vtkFloatArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkWindingABINamespace.h"
 
 #include <optional>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSetAttributes;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

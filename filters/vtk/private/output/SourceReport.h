@@ -3,9 +3,12 @@
 #pragma once
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkFieldData;
 class vtkMultiBlockDataSet;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -6,9 +6,13 @@
 #include "field/Field.h"
 #include "report/Fidelity.h"
 
+#include "vtkWindingABINamespace.h"
+
 #include <cstddef>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -8,8 +8,11 @@
 
 #include "vtkBitArray.h"
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkHyperTreeGrid;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -4,10 +4,14 @@
 
 #include "base/Message.h"
 
+#include "vtkWindingABINamespace.h"
+
 #include <functional>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkObject;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -5,9 +5,13 @@
 #include "base/Executor.h"
 #include "base/Stopwatch.h"
 
+#include "vtkWindingABINamespace.h"
+
 #include <utility>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -5,9 +5,12 @@
 #include "private/pipeline/FreeMemory.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
 class vtkUnstructuredGrid;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

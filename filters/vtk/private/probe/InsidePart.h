@@ -4,8 +4,11 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -5,10 +5,13 @@
 #include "voxels/CellShape.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -6,13 +6,16 @@
 #include "private/source/ImageGrid.h"
 
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
 #include <optional>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkDataSet;
 class vtkDataSetAttributes;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

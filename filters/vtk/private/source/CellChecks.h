@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "vtkWindingABINamespace.h"
+
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -5,6 +5,7 @@
 #include "private/pipeline/Ranks.h"
 
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
 #include <cstddef>
 #include <optional>
@@ -12,10 +13,12 @@
 #include <utility>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkFieldData;
 class vtkPointSet;
 class vtkStringArray;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -3,8 +3,11 @@
 #pragma once
 
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCell;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

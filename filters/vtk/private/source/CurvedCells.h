@@ -3,11 +3,14 @@
 #pragma once
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
 #include <cstddef>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
 class vtkUnstructuredGrid;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -5,10 +5,14 @@
 #include "private/source/ImageFrame.h"
 #include "source/Grid.h"
 
+#include "vtkWindingABINamespace.h"
+
 #include <optional>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -10,6 +10,7 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
 #include <deque>
 #include <map>
@@ -18,12 +19,14 @@
 #include <utility>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkCellArray;
 class vtkDataArray;
 class vtkDataObject;
 class vtkDataSetAttributes;
 class vtkPointSet;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

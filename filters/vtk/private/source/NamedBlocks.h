@@ -3,13 +3,16 @@
 #pragma once
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
 #include <string>
 #include <utility>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkMultiBlockDataSet;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

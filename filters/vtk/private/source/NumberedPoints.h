@@ -8,11 +8,14 @@
 #include "source/PointCloud.h"
 
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
 #include <cstddef>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -6,14 +6,17 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
 class vtkPolyData;
 class vtkUnsignedCharArray;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "vtkWindingABINamespace.h"
+
 #include <cstddef>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

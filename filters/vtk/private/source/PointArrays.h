@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "vtkWindingABINamespace.h"
+
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkPointSet;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

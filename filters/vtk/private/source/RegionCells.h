@@ -4,12 +4,15 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
 #include <utility>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

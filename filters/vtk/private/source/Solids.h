@@ -8,14 +8,17 @@
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkWindingABINamespace.h"
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkFieldData;
 class vtkPointSet;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

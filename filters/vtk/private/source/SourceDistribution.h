@@ -4,7 +4,11 @@
 
 #include "private/source/GatheredViews.h"
 
+#include "vtkWindingABINamespace.h"
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkInformation;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

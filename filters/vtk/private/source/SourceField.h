@@ -8,7 +8,11 @@
 #include "private/source/ImageFrame.h"
 #include "private/source/InputViews.h"
 
+#include "vtkWindingABINamespace.h"
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

@@ -3,15 +3,18 @@
 #pragma once
 
 #include "vtkSmartPointer.h"
+#include "vtkWindingABINamespace.h"
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkInformation;
 class vtkMultiBlockDataSet;
 class vtkPointSet;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {

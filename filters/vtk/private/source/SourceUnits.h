@@ -4,7 +4,11 @@
 
 #include "base/Bounds.h"
 
+#include "vtkWindingABINamespace.h"
+
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
+VTK_ABI_NAMESPACE_END
 
 namespace winding
 {
