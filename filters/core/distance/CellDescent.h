@@ -269,8 +269,7 @@ private:
     else
     {
       samples_.forEach(part,
-        [&](const Eigen::Vector3d& position, const typename Samples::Name& sample)
-        {
+        [&](const Eigen::Vector3d& position, const typename Samples::Name& sample) {
           samples_.write(
             this->searched(position, nearby), this->numberOf(position, nearby), sample);
         });

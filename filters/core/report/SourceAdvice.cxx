@@ -11,8 +11,7 @@ namespace winding
 std::optional<Message> openSideAdvice(const FieldInfo& info, const OpenSideUse& use)
 {
   const Openings& openings = info.openings;
-  const bool isUnclear =
-    use.threshold > 0 && !(openings.areOfSheet() && use.takesTouchedVoxels);
+  const bool isUnclear = use.threshold > 0 && !(openings.areOfSheet() && use.takesTouchedVoxels);
   if (!openings.areWide() || info.contradictingEdges > 0 || !(openings.lookInward || isUnclear))
   {
     return std::nullopt;

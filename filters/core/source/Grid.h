@@ -96,7 +96,7 @@ Eigen::Vector3i sampleIndex(const Extent& extent, std::size_t n);
 /// A user's wishes for a grid.
 struct GridRequest
 {
-  Bounds bounds;      ///< the box to cover: the source's, or the user's own
+  Bounds bounds; ///< the box to cover: the source's, or the user's own
   /// Margin on each side, as a fraction of the longest side. Where voxels are not cubic, it is a
   /// fraction of each axis's own side, unless that is 0.
   double padding = 0;

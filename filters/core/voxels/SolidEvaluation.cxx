@@ -71,9 +71,8 @@ Extent SolidEvaluation::extentOf(const Field& field, const Grid& grid, const Ext
   return near;
 }
 
-void SolidEvaluation::run(
-  const Field& field, const Grid& grid, const Extent& extent, LabelMerge& merge, SideTally* sides,
-  Executor& executor)
+void SolidEvaluation::run(const Field& field, const Grid& grid, const Extent& extent,
+  LabelMerge& merge, SideTally* sides, Executor& executor)
 {
   const Extent near = this->extentOf(field, grid, extent);
   if (sampleCount(near) == 0)

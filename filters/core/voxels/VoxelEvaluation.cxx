@@ -30,9 +30,8 @@ void VoxelEvaluation::run(
   Progress progress(executor);
   FieldOutput atCenters = output;
   atCenters.inside = coverage == Coverage::fraction ? nullptr : output.inside;
-  const bool hasCenters =
-    atCenters.values || atCenters.doubleValues || atCenters.inside || atCenters.hasDistances() ||
-    atCenters.sides;
+  const bool hasCenters = atCenters.values || atCenters.doubleValues || atCenters.inside ||
+                          atCenters.hasDistances() || atCenters.sides;
   // About what comes after it takes as long, or very much longer.
   const double end = !hasCenters                    ? 0
                      : coverage == Coverage::center ? 1
