@@ -8,6 +8,7 @@
 #include "messages/PropertyChecks.h"
 #include "private/output/NearestAttributes.h"
 #include "private/output/ResultArrays.h"
+#include "private/output/TimeUnion.h"
 #include "private/pipeline/ErrorReports.h"
 #include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/Ranks.h"
@@ -40,6 +41,12 @@ void vtkWindingNumberField::CheckProperties()
   this->Superclass::CheckProperties();
   winding::checkProperty(winding::Parameter::outputScalarType, this->OutputScalarType);
   winding::checkProperty(winding::Parameter::distanceBand, this->DistanceBand);
+  if (this->GenerateNearestCells && this->UnionOverAllTimes)
+  {
+    throw winding::Refusal(winding::Message("nearest cells belong to one time of the input",
+      {{"", {{winding::Parameter::generateNearestCells, 0}}},
+        {"", {{winding::Parameter::unionOverAllTimes, 0}}}}));
+  }
   if (this->GenerateNearestCells)
   {
     winding::refuseNearestOfOtherRanks(
@@ -78,6 +85,14 @@ void vtkWindingNumberField::MakeImage(vtkDataObject* source, const winding::Exte
   this->AddNearestCells(source, samples, attributes);
   this->DescribeMethod(image);
   this->Verify(field, samples, results.values());
+}
+
+void vtkWindingNumberField::UniteTimes(vtkDataSetAttributes* all, vtkDataSetAttributes* other)
+{
+  const std::string name = winding::textOf(this->ResultArrayName);
+  this->NumberOfInsideSamples =
+    winding::uniteResults(all, other, name.empty() ? "WindingNumber" : name,
+      winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
 }
 
 winding::ResultOptions vtkWindingNumberField::GetResultOptions() const

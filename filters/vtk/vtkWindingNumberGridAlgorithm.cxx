@@ -174,61 +174,101 @@ void vtkWindingNumberGridAlgorithm::UpdateConnection(
   }
 }
 
-void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes(vtkInformation* outInfo)
+/// The times of all sources.
+struct vtkWindingNumberGridAlgorithm::Times
 {
-  winding::ContentHash hash;
   std::set<double> steps;
-  vtkInformation* moving = nullptr; // the first source that has times
+  double current = 0; ///< the time of the first source that has times, or its first one
+  winding::ContentHash hash;
+};
+
+vtkWindingNumberGridAlgorithm::Times vtkWindingNumberGridAlgorithm::GetTimes()
+{
+  Times times;
+  vtkInformation* moving = nullptr;
   for (vtkAlgorithmOutput* connection : this->GetSourceConnections())
   {
     vtkAlgorithm* producer = connection->GetProducer();
     producer->UpdateInformation();
     vtkInformation* produced = producer->GetOutputInformation(connection->GetIndex());
-    const int times = produced->Length(Pipeline::TIME_STEPS());
-    const double* const first = times > 0 ? produced->Get(Pipeline::TIME_STEPS()) : nullptr;
-    steps.insert(first, first + times);
-    moving = moving || times == 0 ? moving : produced;
-    hash.addValue(reinterpret_cast<std::uintptr_t>(producer));
-    hash.addValue(
+    const int count = produced->Length(Pipeline::TIME_STEPS());
+    const double* const first = count > 0 ? produced->Get(Pipeline::TIME_STEPS()) : nullptr;
+    times.steps.insert(first, first + count);
+    moving = moving || count == 0 ? moving : produced;
+    times.hash.addValue(reinterpret_cast<std::uintptr_t>(producer));
+    times.hash.addValue(
       vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive())->GetPipelineMTime());
   }
-  if (!this->UseInputBounds || !this->BoundsOverAllTimes || steps.empty())
+  if (moving)
+  {
+    times.current = moving->Has(Pipeline::UPDATE_TIME_STEP())
+                      ? moving->Get(Pipeline::UPDATE_TIME_STEP())
+                      : *times.steps.begin();
+  }
+  return times;
+}
+
+/// Has the source at each of its times and calls `work`. Then has it at the time that `outInfo` asks
+/// for; who asks for none gets the source as it was.
+void vtkWindingNumberGridAlgorithm::Visit(
+  const Times& times, vtkInformation* outInfo, const std::function<void()>& work)
+{
+  vtkNew<vtkInformation> request;
+  for (const double step : times.steps)
+  {
+    request->Set(Pipeline::UPDATE_TIME_STEP(), step);
+    this->UpdateSource(request);
+    work();
+  }
+  request->Set(Pipeline::UPDATE_TIME_STEP(), outInfo->Has(Pipeline::UPDATE_TIME_STEP())
+                                               ? outInfo->Get(Pipeline::UPDATE_TIME_STEP())
+                                               : times.current);
+  this->UpdateSource(request);
+}
+
+bool vtkWindingNumberGridAlgorithm::ForEachTime(
+  vtkInformation* outInfo, const std::function<void(std::size_t number, std::size_t count)>& work)
+{
+  const Times times = this->GetTimes();
+  std::size_t number = 0;
+  if (!times.steps.empty())
+  {
+    this->Visit(times, outInfo, [&] { work(number++, times.steps.size()); });
+  }
+  return !times.steps.empty();
+}
+
+void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes(vtkInformation* outInfo)
+{
+  Times times = this->GetTimes();
+  const bool isAsked = this->BoundsOverAllTimes || this->IsOfAllTimes();
+  if (!this->UseInputBounds || !isAsked || times.steps.empty())
   {
     this->BoundsOfTimes.clear();
     return;
   }
-  hash.addValue(winding::hashOf(this->GetSourceOptions()));
-  if (!this->BoundsOfTimes.empty() && this->SourceOfTimes == hash.value())
+  times.hash.addValue(winding::hashOf(this->GetSourceOptions()));
+  if (!this->BoundsOfTimes.empty() && this->SourceOfTimes == times.hash.value())
   {
     return;
   }
   winding::Bounds all;
-  const double before = moving->Has(Pipeline::UPDATE_TIME_STEP())
-                          ? moving->Get(Pipeline::UPDATE_TIME_STEP())
-                          : *steps.begin();
-  vtkNew<vtkInformation> request;
-  for (const double step : steps)
-  {
-    request->Set(Pipeline::UPDATE_TIME_STEP(), step);
-    this->UpdateSource(request);
-    double bounds[6];
-    if (this->GetSourceBounds(this->GetSource(), bounds))
+  this->Visit(times, outInfo,
+    [&]
     {
-      all.extend(toBounds(bounds).min());
-      all.extend(toBounds(bounds).max());
-    }
-  }
+      double bounds[6];
+      if (this->GetSourceBounds(this->GetSource(), bounds))
+      {
+        all.extend(toBounds(bounds).min());
+        all.extend(toBounds(bounds).max());
+      }
+    });
   this->BoundsOfTimes.clear();
   for (int axis = 0; axis < 3 && !all.isEmpty(); ++axis)
   {
     this->BoundsOfTimes.insert(this->BoundsOfTimes.end(), {all.min()[axis], all.max()[axis]});
   }
-  this->SourceOfTimes = hash.value();
-  // Who asks for no time gets the source as it is.
-  request->Set(Pipeline::UPDATE_TIME_STEP(), outInfo->Has(Pipeline::UPDATE_TIME_STEP())
-                                               ? outInfo->Get(Pipeline::UPDATE_TIME_STEP())
-                                               : before);
-  this->UpdateSource(request);
+  this->SourceOfTimes = times.hash.value();
 }
 
 /// Finds the bounds that UseInputBounds lays the grid over; returns whether there are any.

@@ -169,6 +169,15 @@ protected:
   /// again, or at the first. To be called in RequestInformation(), by all ranks.
   void FindBoundsOverAllTimes(vtkInformation* outInfo);
 
+  /// Has the source at each of its times and calls `work`, which gets the number of the time and
+  /// how many there are. Then has the source as FindBoundsOverAllTimes() does. Returns false, and
+  /// calls nothing, where the source has no times. Collective.
+  bool ForEachTime(vtkInformation* outInfo,
+    const std::function<void(std::size_t number, std::size_t count)>& work);
+
+  /// Returns whether the result is one of all times: no, unless a filter says otherwise.
+  virtual bool IsOfAllTimes() const { return false; }
+
   /// Lays the grid that the properties want over a source.
   void LayOutGrid(vtkDataObject* source);
 
@@ -239,6 +248,9 @@ protected:
   double MaxErrorBesidePoints = 0;
 
 private:
+  struct Times;
+  Times GetTimes();
+  void Visit(const Times& times, vtkInformation* outInfo, const std::function<void()>& work);
   void UpdateConnection(vtkAlgorithmOutput* connection, vtkInformation* outInfo);
   winding::GridRequest GetGridRequest(vtkDataObject* source);
   bool GetBoundsOfGrid(vtkDataObject* source, double bounds[6]);

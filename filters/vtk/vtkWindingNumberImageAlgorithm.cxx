@@ -5,6 +5,7 @@
 #include "base/Refusal.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
+#include "private/pipeline/DistinctWarnings.h"
 #include "private/source/ContentHash.h"
 #include "private/source/ImageGrid.h"
 #include "voxels/VoxelEvaluation.h"
@@ -187,6 +188,11 @@ int vtkWindingNumberImageAlgorithm::RequestInformation(
   outInfo->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
   this->TellGrid(outInfo);
   outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  if (this->UnionOverAllTimes)
+  {
+    outInfo->Remove(Pipeline::TIME_STEPS());
+    outInfo->Remove(Pipeline::TIME_RANGE());
+  }
   if (!asCells)
   {
     vtkDataObject::SetPointDataActiveScalarInfo(outInfo, this->GetActiveScalarType(), 1);
@@ -226,6 +232,7 @@ void vtkWindingNumberImageAlgorithm::HashProperties(winding::ContentHash& hash)
   hash.addValue(this->OutputAssociation);
   hash.addValue(this->Coverage);
   hash.addValue(this->CoverageSamples);
+  hash.addValue(this->UnionOverAllTimes);
   hash.addValue(this->Like != nullptr);
   if (this->Like)
   {
@@ -285,13 +292,45 @@ int vtkWindingNumberImageAlgorithm::RequestData(
 
   output->SetExtent(extent);
   output->CopyInformationFromPipeline(outInfo);
-  vtkDataSetAttributes* attributes = output->GetPointData();
-  if (asCells)
+  if (!this->UnionOverAllTimes || !this->MakeUnion(outInfo, samples, output))
   {
-    attributes = output->GetCellData();
+    this->MakeImage(source, samples, output, this->GetAttributes(output));
   }
-  this->MakeImage(source, samples, output, attributes);
   return 1;
+}
+
+/// Returns the attributes of an image that get the arrays.
+vtkDataSetAttributes* vtkWindingNumberImageAlgorithm::GetAttributes(vtkImageData* image) const
+{
+  return image->GetAttributes(
+    this->OutputAssociation == CELLS ? vtkDataObject::CELL : vtkDataObject::POINT);
+}
+
+/// Makes the arrays of an image from those of all times. Returns false where the source has no
+/// times.
+bool vtkWindingNumberImageAlgorithm::MakeUnion(
+  vtkInformation* outInfo, const winding::Extent& samples, vtkImageData* image)
+{
+  const winding::DistinctWarnings warnings(this);
+  return this->ForEachTime(outInfo,
+    [&](std::size_t number, std::size_t count)
+    {
+      const auto share = 1 / static_cast<double>(count);
+      this->SetProgressShiftScale(static_cast<double>(number) * share, share);
+      vtkNew<vtkImageData> part;
+      part->CopyStructure(image);
+      this->CheckSource(this->GetSource());
+      this->MakeImage(this->GetSource(), samples, part, this->GetAttributes(part));
+      if (number == 0)
+      {
+        this->GetAttributes(image)->ShallowCopy(this->GetAttributes(part));
+      }
+      else
+      {
+        this->UniteTimes(this->GetAttributes(image), this->GetAttributes(part));
+      }
+      image->GetFieldData()->ShallowCopy(part->GetFieldData());
+    });
 }
 
 winding::VoxelEvaluation vtkWindingNumberImageAlgorithm::GetVoxelEvaluation() const
@@ -305,7 +344,10 @@ winding::VoxelEvaluation vtkWindingNumberImageAlgorithm::GetVoxelEvaluation() co
 std::size_t vtkWindingNumberImageAlgorithm::GetAdditionalBytes(
   const winding::Field& field, vtkIdType samples)
 {
-  return this->GetVoxelEvaluation().additionalBytes(field, static_cast<std::size_t>(samples));
+  // Earlier times have arrays, too.
+  const double united = this->UnionOverAllTimes ? this->GetResultBytes(samples) : 0;
+  return static_cast<std::size_t>(united) +
+         this->GetVoxelEvaluation().additionalBytes(field, static_cast<std::size_t>(samples));
 }
 
 const char* vtkWindingNumberImageAlgorithm::GetOutputAssociationAsString() const
@@ -324,4 +366,5 @@ void vtkWindingNumberImageAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputAssociation: " << this->OutputAssociation << "\n";
   os << indent << "Coverage: " << this->Coverage << "\n";
   os << indent << "CoverageSamples: " << this->CoverageSamples << "\n";
+  os << indent << "UnionOverAllTimes: " << this->UnionOverAllTimes << "\n";
 }

@@ -109,6 +109,17 @@ public:
   vtkGetMacro(CoverageSamples, int);
   ///@}
 
+  ///@{
+  /// Whether the result is the union over all times of the source: the volume that it sweeps. A
+  /// sample is inside where it is at any time. The grid lies over the bounds of all times, unless
+  /// it is given, and the output has no times. Facts about the execution are about the last time,
+  /// and warnings that times share come once. The source is brought up to date for each time, and
+  /// again for each piece of the image. Default off.
+  vtkSetMacro(UnionOverAllTimes, vtkTypeBool);
+  vtkGetMacro(UnionOverAllTimes, vtkTypeBool);
+  vtkBooleanMacro(UnionOverAllTimes, vtkTypeBool);
+  ///@}
+
   /// The output of port 0.
   vtkImageData* GetOutput();
 
@@ -134,6 +145,7 @@ protected:
   std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
   bool MayTouchVoxels() const override { return this->Coverage == CENTER; }
   bool TakesTouchedVoxels() const override { return this->Coverage == ANY; }
+  bool IsOfAllTimes() const override { return this->UnionOverAllTimes != 0; }
 
   /// The type of the active scalars that the image will have.
   virtual int GetActiveScalarType() const = 0;
@@ -146,14 +158,20 @@ protected:
   virtual void MakeImage(vtkDataObject* source, const std::array<int, 6>& samples,
     vtkImageData* image, vtkDataSetAttributes* attributes) = 0;
 
+  /// Makes arrays of earlier times, `all`, those of these and of another time.
+  virtual void UniteTimes(vtkDataSetAttributes* all, vtkDataSetAttributes* other) = 0;
+
   /// How voxels are evaluated, by Coverage; what they are written to is left to the caller.
   winding::VoxelEvaluation GetVoxelEvaluation() const;
 
   int OutputAssociation = POINTS;
   int Coverage = CENTER;
   int CoverageSamples = 4;
+  vtkTypeBool UnionOverAllTimes = 0;
 
 private:
+  bool MakeUnion(vtkInformation* outInfo, const std::array<int, 6>& samples, vtkImageData* image);
+  vtkDataSetAttributes* GetAttributes(vtkImageData* image) const;
   void LayOver(vtkInformation* outInfo);
   void LookAtLike(vtkInformationVector* like);
   void CheckLike(vtkImageData* image) const;

@@ -8,6 +8,7 @@
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
 #include "private/output/LabelImage.h"
+#include "private/output/TimeUnion.h"
 #include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
@@ -305,6 +306,11 @@ void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const winding::Ext
   this->WarnOfSolids(solids);
 }
 
+void vtkWindingNumberLabels::UniteTimes(vtkDataSetAttributes* all, vtkDataSetAttributes* other)
+{
+  winding::uniteLabels(all, other);
+}
+
 void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding::LabelImage& labels)
 {
   const winding::Grid& grid = this->GetSampling();
@@ -320,11 +326,12 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
   vtkIdType memory = 0;
   this->EarlierSeconds = 0;
   const auto all = static_cast<double>(solids.size());
+  const double shift = this->GetProgressShift(), scale = this->GetProgressScale();
   // The loop is collective: each solid is built of the parts of all ranks, in the same order.
   for (std::size_t i = 0; i < solids.size(); ++i)
   {
-    // Progress is a share of all solids, until the request ends.
-    this->SetProgressShiftScale(static_cast<double>(i) / all, 1 / all);
+    // Progress is a share of all solids, of this time or of the request.
+    this->SetProgressShiftScale(shift + static_cast<double>(i) / all * scale, scale / all);
     const winding::Field& field = this->PrepareSolid(solids, i);
     prepareSeconds += this->PrepareSeconds;
     memory = std::max(memory, this->ExpectedMemory);

@@ -147,8 +147,7 @@ std::shared_ptr<const winding::DistanceTree> vtkWindingNumberSurface::MakeSurfac
         this->WindingThreshold, this->CloseBorder != 0);
       this->FindEdges(edges, field, executor);
       const winding::SolidShape shape = this->GetShape();
-      const bool isAllInside =
-        shape.isPlain() ? this->TellAllInside(edges) : edges.areAllInside();
+      const bool isAllInside = shape.isPlain() ? this->TellAllInside(edges) : edges.areAllInside();
       if (this->InsideMatters(field.info()))
       {
         this->WarnOfGrid(field, edges.size() == 0 && !isAllInside,

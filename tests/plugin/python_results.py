@@ -8,6 +8,7 @@ import hashlib
 import json
 import os
 import sys
+import tempfile
 
 import numpy as np
 from paraview import servermanager, simple
@@ -215,6 +216,37 @@ def of_solids(name, source, **properties):
         Input=source, Like=turned_image(4), OutputAssociation="Cells", **properties))
 
 
+def of_times(folder):
+    """A ball that moves and grows, and the volume that it sweeps."""
+    for time in (0, 1, 2):
+        ball = simple.Sphere(Center=[0.7 * time, 0, 0.1], Radius=0.5 + 0.25 * time,
+                             ThetaResolution=24, PhiResolution=24)
+        simple.CreateWriter(os.path.join(folder, f"{time}.vtp"), ball).UpdatePipeline()
+    series = os.path.join(folder, "series.pvd")
+    with open(series, "w", encoding="ascii") as file:
+        file.write('<VTKFile type="Collection"><Collection>')
+        file.writelines(f'<DataSet timestep="{t}" file="{t}.vtp"/>' for t in (0, 1, 2))
+        file.write("</Collection></VTKFile>")
+    moving = simple.OpenDataFile(series)
+    note("one grid for all times", simple.WindingNumberField(
+        Input=moving, Resolution=20, BoundsOverAllTimes=1))
+    for rule in ("Signed", "Absolute", "Odd"):
+        note(f"swept volume, {rule}", simple.WindingNumberField(
+            Input=moving, Resolution=20, UnionOverAllTimes=1, GenerateInside=1, InsideRule=rule,
+            GenerateSignedDistance=1, Coverage="Half Inside"))
+    note("swept volume without sides", simple.WindingNumberField(
+        Input=moving, Resolution=20, UnionOverAllTimes=1))
+    note("swept volume of half of it", simple.WindingNumberField(
+        Input=moving, Resolution=20, UnionOverAllTimes=1, UseInputBounds=0,
+        SamplingBounds=[-1, 0.2, -1, 1, -1, 1]))
+    note("nearest cells of times", simple.WindingNumberField(
+        Input=moving, Resolution=20, UnionOverAllTimes=1, GenerateNearestCells=1))
+    for arrays in ("Two Largest", "Each Label"):
+        note(f"swept labels, {arrays}", simple.WindingNumberLabels(
+            Input=moving, Resolution=20, UnionOverAllTimes=1, GenerateSolidCount=1,
+            Coverage="Half Inside", CoverageArrays=arrays))
+
+
 def of_layers():
     sheets = [simple.Plane(Origin=[-2, -2, z], Point1=[2, -2, z], Point2=[-2, 2, z],
                            XResolution=6, YResolution=6) for z in (0.3, -0.4, 0)]
@@ -239,6 +271,8 @@ def run(folder):
     balls = [simple.Sphere(Center=(x, 0, 0), Radius=r, ThetaResolution=24, PhiResolution=24)
              for x, r in ((0, 1), (0.8, 1), (0, 0.4))]
     of_layers()
+    with tempfile.TemporaryDirectory() as times:
+        of_times(times)
     of_solids("inputs", balls)
     names = simple.ProgrammableFilter(Input=simple.AppendGeometry(Input=balls), Script=NAMES)
     of_solids("names", names)

@@ -46,6 +46,7 @@ TEST(Print, HasThePropertiesOfEveryClass)
   expectPrinted<vtkWindingNumberField>(ofArrays);
   expectPrinted<vtkWindingNumberField>({"Resolution: 64", "VoxelSize: 0", "Padding: 0.05",
     "UseInputBounds: 1", "BoundsOverAllTimes: 0", "SamplingDimensions: 0 0 0", "Coverage: 0",
+    "UnionOverAllTimes: 0",
     "CoverageSamples: 4", "OutputAssociation: 0", "DistanceBand: 0", "NumberOfThreads: 0"});
   expectPrinted<vtkWindingNumberSurface>(ofSources);
   expectPrinted<vtkWindingNumberSurface>(

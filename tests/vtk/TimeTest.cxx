@@ -1,24 +1,42 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "vtk/ErrorLog.h"
 #include "vtk/MovingSphere.h"
 
 #include "vtkContourFilter.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkPointData.h"
+#include "vtkSphereSource.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkSurfaceReport.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberHyperTree.h"
+#include "vtkWindingNumberLabels.h"
 #include "vtkWindingNumberSurface.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace
 {
+
+std::size_t countOf(const std::string& word, const std::string& text)
+{
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+  {
+    ++count;
+  }
+  return count;
+}
 
 /// Sources that move and grow with time are followed by the filters that sample grids.
 class Time : public testing::Test
@@ -154,6 +172,142 @@ TEST_F(Time, BoundsOverAllTimesLeaveTheTimeAlone)
   surface->SetResolution(100);
   surface->Update();
   expectSphere(surface->GetOutput()->GetBounds(), 0, 0.05);
+}
+
+/// The volume that the sphere sweeps: every array is that of the times together, whatever the rule.
+TEST_F(Time, UnionOverAllTimesIsTheSweptVolume)
+{
+  for (const int rule :
+    {vtkWindingNumberField::SIGNED, vtkWindingNumberField::ABSOLUTE, vtkWindingNumberField::ODD})
+  {
+    vtkNew<vtkWindingNumberField> swept, single;
+    for (vtkWindingNumberField* field : {swept.Get(), single.Get()})
+    {
+      field->SetInputConnection(sphere->GetOutputPort());
+      field->SetInsideRule(rule);
+      field->GenerateInsideOn();
+      field->GenerateSignedDistanceOn();
+      field->SetCoverageToFraction();
+      field->SetResolution(60);
+      field->BoundsOverAllTimesOn();
+    }
+    swept->BoundsOverAllTimesOff(); // they are taken anyway
+    swept->UnionOverAllTimesOn();
+    swept->Update();
+    EXPECT_FALSE(
+      swept->GetOutputInformation(0)->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
+    const std::vector<std::string> names = {
+      "WindingNumber", "Inside", "Coverage", "SignedDistance"};
+    std::map<std::string, std::vector<double>> expected;
+    for (const int time : {0, 1, 2})
+    {
+      single->UpdateTimeStep(time);
+      for (const std::string& name : names)
+      {
+        vtkDataArray* values = single->GetOutput()->GetPointData()->GetArray(name.c_str());
+        std::vector<double>& all = expected[name];
+        all.resize(static_cast<std::size_t>(values->GetNumberOfTuples()),
+          name == "SignedDistance" ? 1e300 : 0);
+        for (std::size_t n = 0; n < all.size(); ++n)
+        {
+          const double value = values->GetComponent(static_cast<vtkIdType>(n), 0);
+          all[n] = name == "SignedDistance" ? std::min(all[n], value) : std::max(all[n], value);
+        }
+      }
+    }
+    ASSERT_EQ(swept->GetOutput()->GetBounds()[1], single->GetOutput()->GetBounds()[1]);
+    for (const std::string& name : names)
+    {
+      vtkDataArray* values = swept->GetOutput()->GetPointData()->GetArray(name.c_str());
+      ASSERT_NE(values, nullptr) << name;
+      std::size_t wrong = 0;
+      for (std::size_t n = 0; n < expected[name].size(); ++n)
+      {
+        wrong += values->GetComponent(static_cast<vtkIdType>(n), 0) != expected[name][n];
+      }
+      EXPECT_EQ(wrong, 0) << name << " by rule " << rule;
+    }
+    const std::vector<double>& inside = expected["Inside"];
+    EXPECT_EQ(swept->GetNumberOfInsideSamples(), std::count(inside.begin(), inside.end(), 1));
+    // Three spheres, which do not meet, of radii 0.5, 0.75 and 1: (0.125 + 0.422 + 1) 4π/3.
+    const double voxel = std::pow(swept->GetOutput()->GetSpacing()[0], 3);
+    EXPECT_NEAR(voxel * swept->GetNumberOfInsideSamples(), 6.48, 0.3); // 6.4 measured
+  }
+}
+
+TEST_F(Time, UnionOverAllTimesKeepsLabelsOfEveryTime)
+{
+  vtkNew<vtkWindingNumberLabels> labels;
+  labels->SetInputConnection(sphere->GetOutputPort());
+  labels->SetCoverageToFraction();
+  labels->GenerateSolidCountOn();
+  labels->UnionOverAllTimesOn();
+  labels->SetResolution(60);
+  labels->Update();
+  vtkPointData* data = labels->GetOutput()->GetPointData();
+  ASSERT_EQ(data->GetScalars(), data->GetArray("Label"));
+  int found[3] = {0, 0, 0};
+  for (vtkIdType n = 0; n < labels->GetOutput()->GetNumberOfPoints(); ++n)
+  {
+    const double label = data->GetArray("Label")->GetComponent(n, 0);
+    EXPECT_EQ(data->GetArray("SolidCount")->GetComponent(n, 0), label) << "one solid, label 1";
+    EXPECT_EQ(data->GetArray("FirstLabel")->GetComponent(n, 0) != 0,
+      data->GetArray("FirstShare")->GetComponent(n, 0) > 0);
+    if (label != 0)
+    {
+      ++found[std::lround(labels->GetOutput()->GetPoint(n)[0] / 10)];
+    }
+  }
+  EXPECT_GT(found[0], 5);
+  EXPECT_GT(found[1], found[0]);
+  EXPECT_GT(found[2], found[1]);
+}
+
+/// The sphere leaves the box: that is said once, not at two times, and no more than the one line.
+TEST_F(Time, UnionOverAllTimesWarnsOnce)
+{
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(sphere->GetOutputPort());
+  field->UseInputBoundsOff();
+  field->SetSamplingBounds(-1, 1, -1, 1, -1, 1);
+  field->SetResolution(20);
+  field->UnionOverAllTimesOn();
+  const ErrorLog log(field);
+  field->Update();
+  EXPECT_GT(field->GetNumberOfInsideSamples(), 0);
+  EXPECT_EQ(log.errors(), "");
+  EXPECT_EQ(countOf("Warning: ", log.warnings()), 1) << log.warnings();
+  const double before = field->GetOutput()->GetScalarRange()[1];
+  field->Modified();
+  field->UpdateTimeStep(2);
+  EXPECT_EQ(field->GetOutput()->GetScalarRange()[1], before) << "no time of the output's own";
+}
+
+TEST_F(Time, UnionOverAllTimesIsRefusedWithNearestCells)
+{
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(sphere->GetOutputPort());
+  field->UnionOverAllTimesOn();
+  field->GenerateNearestCellsOn();
+  const ErrorLog log(field);
+  field->Update();
+  EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
+  EXPECT_NE(log.errors().find("UnionOverAllTimesOff()"), std::string::npos) << log.errors();
+}
+
+/// A source without times is the only one there is.
+TEST_F(Time, UnionOverAllTimesOfOneTimeIsThat)
+{
+  vtkNew<vtkSphereSource> still;
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(still->GetOutputPort());
+  field->SetResolution(10);
+  field->Update();
+  const vtkIdType inside = field->GetNumberOfInsideSamples();
+  field->UnionOverAllTimesOn();
+  field->Update();
+  EXPECT_GT(inside, 0);
+  EXPECT_EQ(field->GetNumberOfInsideSamples(), inside);
 }
 
 TEST_F(Time, ContoursDownstreamAreThoseOfTheTime)

@@ -53,6 +53,7 @@ enum class Parameter
   insideOut,
   coverage,
   coverageSamples,
+  unionOverAllTimes,
 
   // the arrays of the result
   generateWindingNumber,

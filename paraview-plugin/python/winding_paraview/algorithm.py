@@ -137,7 +137,8 @@ class Algorithm(VTKPythonAlgorithmBase):
         self.values = {name: found.default for name, found in self.properties.items()}
         self.status = NOT_RUN
         self._told = None
-        self._share = (0.0, 1.0)
+        self._share = self._turn = (0.0, 1.0)
+        self._kept_warnings = None
 
     def GetStatus(self):
         return self.status
@@ -209,7 +210,22 @@ class Algorithm(VTKPythonAlgorithmBase):
             self._tell("ErrorEvent", "ERROR", text)
 
     def warn(self, text):
-        self._tell("WarningEvent", "Warning", text)
+        if self._kept_warnings is None:
+            self._tell("WarningEvent", "Warning", text)
+        else:
+            self._kept_warnings.setdefault(re.sub(r"[0-9]", "", text), text)
+
+    @contextlib.contextmanager
+    def distinct_warnings(self):
+        """Keeps warnings back, and warns once at the end of what differs by numbers only."""
+        self._kept_warnings = {}
+        try:
+            yield
+        finally:
+            kept, self._kept_warnings = self._kept_warnings, None
+            self._turn = (0.0, 1.0)
+            for text in kept.values():
+                self.warn(text)
 
     def _tell(self, event, kind, text):
         """Tells observers of the filter, or else ParaView's window of messages, as C++ does."""
@@ -222,9 +238,15 @@ class Algorithm(VTKPythonAlgorithmBase):
         else:
             vtkOutputWindow.GetInstance().DisplayWarningText(full)
 
+    def take_turn(self, number, count):
+        """Shows the progress of what follows as that of one of several turns."""
+        self._turn = (number / count, (number + 1) / count)
+        self.between(0, 1)
+
     def between(self, first, last):
-        """Shows the progress of the next calls as this share of the filter's."""
-        self._share = (first, last)
+        """Shows the progress of the next calls as this share of the filter's, or of its turn."""
+        begin, end = self._turn
+        self._share = (begin + (end - begin) * first, begin + (end - begin) * last)
 
     def is_aborted(self):
         is_asked = hasattr(self, "CheckAbort") and self.CheckAbort()

@@ -6,6 +6,7 @@ Field."""
 import ctypes
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkInformation, vtkInformationVector
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
@@ -132,8 +133,12 @@ class GridAlgorithm(SourceAlgorithm):
             self._bounds = (key, found)
         return self._bounds[1]
 
-    def find_bounds_over_all_times(self, out_info, ranks):
-        """Has the source made at each of its times, if the grid is to lie over all of them."""
+    def is_of_all_times(self):
+        """Whether the result is one of all times."""
+        return False
+
+    def _times(self):
+        """The times of all sources, the one that they have now, and a key of where these come from."""
         times, moving, key = set(), None, []
         for connection in self.connections():
             producer = connection.GetProducer()
@@ -144,31 +149,44 @@ class GridAlgorithm(SourceAlgorithm):
             moving = produced if moving is None and own else moving
             key.append((producer.GetAddressAsString(""),
                         producer.GetExecutive().GetPipelineMTime()))
-        if not (self.values["UseInputBounds"] and self.values["BoundsOverAllTimes"] and times):
+        has_time = moving is not None and moving.Has(Pipeline.UPDATE_TIME_STEP())
+        current = moving.Get(Pipeline.UPDATE_TIME_STEP()) if has_time else min(times, default=0)
+        return sorted(times), current, key
+
+    def for_each_time(self, out_info):
+        """Has the source made at each of its times, which it yields; then at the one that is asked
+        for. Who asks for none gets the source as it was."""
+        times, current, _ = self._times()
+        request = vtkInformation()
+        for step in times:
+            request.Set(Pipeline.UPDATE_TIME_STEP(), step)
+            self.update_source(request)
+            yield step
+        if times:
+            request.Set(Pipeline.UPDATE_TIME_STEP(), out_info.Get(Pipeline.UPDATE_TIME_STEP())
+                        if out_info.Has(Pipeline.UPDATE_TIME_STEP()) else current)
+            self.update_source(request)
+
+    def find_bounds_over_all_times(self, out_info, ranks):
+        """Has the source made at each of its times, if the grid is to lie over all of them."""
+        times, _, key = self._times()
+        is_asked = self.values["BoundsOverAllTimes"] or self.is_of_all_times()
+        if not (self.values["UseInputBounds"] and is_asked and times):
             self._bounds_of_times = (None, None)
             return
         _, options = self.key_of(None)
         key = (key, options)
         if self._bounds_of_times[0] == key:
             return
-        before = moving.Get(Pipeline.UPDATE_TIME_STEP()) if moving.Has(
-            Pipeline.UPDATE_TIME_STEP()) else min(times)
-        boxes, request = [], vtkInformation()
-        for step in sorted(times):
-            request.Set(Pipeline.UPDATE_TIME_STEP(), step)
-            self.update_source(request)
-            box = self.bounds_of_source(self.source(), ranks)
-            boxes += [] if box is None else [box]
+        boxes = [self.bounds_of_source(self.source(), ranks)
+                 for _ in self.for_each_time(out_info)]
+        boxes = [box for box in boxes if box is not None]
         found = None
         if boxes:
             every = np.array(boxes)
             found = every[0].tolist()
             found[::2], found[1::2] = every[:, ::2].min(axis=0), every[:, 1::2].max(axis=0)
         self._bounds_of_times = (key, found)
-        # Who asks for no time gets the source as it is.
-        request.Set(Pipeline.UPDATE_TIME_STEP(), out_info.Get(Pipeline.UPDATE_TIME_STEP())
-                    if out_info.Has(Pipeline.UPDATE_TIME_STEP()) else before)
-        self.update_source(request)
 
     def _bounds_of_grid(self, data, ranks):
         """The box that the grid lies over: that of what the source can become, or None."""
@@ -274,6 +292,35 @@ class ImageAlgorithm(GridAlgorithm):
         """Fills an image with the samples of an extent."""
         raise NotImplementedError
 
+    def unite_times(self, all_arrays, others):
+        """Makes arrays of earlier times those of these and of another time."""
+        raise NotImplementedError
+
+    def is_of_all_times(self):
+        return bool(self.value("UnionOverAllTimes"))
+
+    def _attributes_of(self, image):
+        return image.GetCellData() if self.values["OutputAssociation"] == 1 else (
+            image.GetPointData())
+
+    def _make_union(self, out_info, ranks, grid, extent, image):
+        """Fills an image with the union of all times, if there are any."""
+        count = len(self._times()[0])
+        if not self.is_of_all_times() or not count:
+            return False
+        with self.distinct_warnings():
+            for number, _ in enumerate(self.for_each_time(out_info)):
+                self.take_turn(number, count)
+                part = vtkImageData()
+                part.CopyStructure(image)
+                self.make_image(self.source(), ranks, grid, extent, part, self._attributes_of(part))
+                if number == 0:
+                    self._attributes_of(image).ShallowCopy(self._attributes_of(part))
+                else:
+                    self.unite_times(self._attributes_of(image), self._attributes_of(part))
+                image.GetFieldData().ShallowCopy(part.GetFieldData())
+        return True
+
     def FillInputPortInformation(self, port, info):
         if port == 0:
             return super().FillInputPortInformation(port, info)
@@ -357,6 +404,9 @@ class ImageAlgorithm(GridAlgorithm):
             out_info.Set(Pipeline.WHOLE_EXTENT(), extent, 6)
             self._tell_grid(out_info, self.grid)
             out_info.Set(self.CAN_PRODUCE_SUB_EXTENT(), 1)
+            if self.is_of_all_times():
+                out_info.Remove(Pipeline.TIME_STEPS())
+                out_info.Remove(Pipeline.TIME_RANGE())
             if not as_cells:
                 vtkDataObject.SetPointDataActiveScalarInfo(out_info, self.active_scalar_type(), 1)
         self.information_status = self.status
@@ -400,19 +450,25 @@ class ImageAlgorithm(GridAlgorithm):
             if self.like is not None:  # samples have numbers from 0 on
                 first = self.like.GetExtent()[::2]
                 samples = [end - first[number // 2] for number, end in enumerate(extent)]
-            attributes = output.GetPointData()
             if self.values["OutputAssociation"] == 1:
-                attributes = output.GetCellData()
                 for axis in range(3):  # a flat image has a layer of cells, too
                     if self.like is None or self.like.GetDimensions()[axis] > 1:
                         samples[2 * axis + 1] -= 1
             output.SetExtent(*extent)
             output.CopyInformationFromPipeline(out_info)
-            self.make_image(data, ranks, grid, samples, output, attributes)
+            if not self._make_union(out_info, ranks, grid, samples, output):
+                self.make_image(data, ranks, grid, samples, output, self._attributes_of(output))
         if self.status != DONE:
             # The pipeline would add an extent that failed to the next one that is asked for.
             out_info.Remove(Pipeline.COMBINED_UPDATE_EXTENT())
         return 1
+
+
+def take_better(all_arrays, others, name, is_better):
+    """Takes the values of another array that are better, in place."""
+    if all_arrays.GetArray(name) is not None:
+        ours, theirs = (vtk_to_numpy(found.GetArray(name)) for found in (all_arrays, others))
+        np.copyto(ours, theirs, where=is_better(theirs, ours))
 
 
 class ResultArrays:
@@ -477,6 +533,30 @@ class WindingNumberField(ImageAlgorithm):
         if self.values["GenerateInside"] and not self.values["GenerateWindingNumber"]:
             return VTK_UNSIGNED_CHAR
         return self.values["OutputScalarType"]
+
+    def check(self):
+        super().check()
+        if self.value("GenerateNearestCells") and self.is_of_all_times():
+            raise WindingError("nearest cells belong to one time of the input: use Generate Nearest "
+                               "Cells off, or use Union Over All Times off")
+
+    def unite_times(self, all_arrays, others):
+        name = self.values["ResultArrayName"] or "WindingNumber"
+
+        def level(values):
+            return self.levels(values.astype(np.float64))
+
+        take_better(all_arrays, others, name, lambda theirs, ours: level(theirs) > level(ours))
+        take_better(all_arrays, others, "Inside", np.greater)
+        take_better(all_arrays, others, "Coverage", np.greater)
+        take_better(all_arrays, others, "SignedDistance", np.less)
+        for array, is_inside in (("Inside", lambda values: values != 0),
+                                 (name, lambda values: level(values) >= 0),
+                                 ("SignedDistance", lambda values: values < 0)):
+            if all_arrays.GetArray(array) is not None:
+                found = vtk_to_numpy(all_arrays.GetArray(array))
+                self.inside_count = int(np.count_nonzero(is_inside(found)))
+                return
 
     def make_image(self, data, ranks, grid, extent, image, attributes):
         self.check_verification(bool(self.value("GenerateWindingNumber")))

@@ -6,6 +6,7 @@ import ctypes
 from typing import NamedTuple
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet,
@@ -28,7 +29,7 @@ from vtkwinding._regions import (
 from vtkwinding._sources import kept_polygons
 
 from .algorithm import RUN, copied, declared, new_array, pointer
-from .grids import FRACTION, ImageAlgorithm, sample_count
+from .grids import FRACTION, ImageAlgorithm, sample_count, take_better
 from .sources import (
     AREAS_OF_ARRAY,
     Parts,
@@ -415,6 +416,20 @@ class WindingNumberLabels(ImageAlgorithm):
                                  if "is empty" not in note]
         self._kept = (key, solids, handles)
         return solids, handles
+
+    def unite_times(self, all_arrays, others):
+        take_better(all_arrays, others, "Label",
+                    lambda theirs, ours: (ours == 0) & (theirs != 0))
+        take_better(all_arrays, others, "SolidCount", np.greater)
+        names = [all_arrays.GetArrayName(n) for n in range(all_arrays.GetNumberOfArrays())]
+        for name in names:
+            if name.startswith("Coverage "):
+                take_better(all_arrays, others, name, np.greater)
+        if "FirstShare" in names:
+            are_larger = np.greater(*(vtk_to_numpy(found.GetArray("FirstShare"))
+                                      for found in (others, all_arrays)))
+            for name in ("FirstShare", "FirstLabel", "SecondShare", "SecondLabel"):
+                take_better(all_arrays, others, name, lambda theirs, ours: are_larger)
 
     def make_image(self, data, ranks, grid, extent, image, attributes):
         self.check_verification(True)
