@@ -1,5 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
-// SPDX-License-Identifier: BSD-3-Clause
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 
 # The interface in C, as pages and, one for each function, as manual pages.
 @INCLUDE               = docs/Doxyfile

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The macros by which VTK puts its classes into a namespace of its build, where it has been asked to.
- * They came with VTK 9.3. Classes of this module are in that namespace, too, and what declares VTK's
- * classes without their headers has to be.
+ * The macros by which VTK puts its classes into a namespace of its build, where it has been asked
+ * to. They came with VTK 9.3. Classes of this module are in that namespace, too, and what declares
+ * VTK's classes without their headers has to be.
  */
 #ifndef vtkWindingABINamespace_h
 #define vtkWindingABINamespace_h

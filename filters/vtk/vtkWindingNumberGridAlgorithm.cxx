@@ -208,8 +208,8 @@ vtkWindingNumberGridAlgorithm::Times vtkWindingNumberGridAlgorithm::GetTimes()
   return times;
 }
 
-/// Has the source at each of its times and calls `work`. Then has it at the time that `outInfo` asks
-/// for; who asks for none gets the source as it was.
+/// Has the source at each of its times and calls `work`. Then has it at the time that `outInfo`
+/// asks for; who asks for none gets the source as it was.
 void vtkWindingNumberGridAlgorithm::Visit(
   const Times& times, vtkInformation* outInfo, const std::function<void()>& work)
 {

@@ -306,7 +306,7 @@ vtkDataSetAttributes* vtkWindingNumberImageAlgorithm::GetAttributes(vtkImageData
     this->OutputAssociation == CELLS ? vtkDataObject::CELL : vtkDataObject::POINT);
 }
 
-/// Makes the arrays of an image from those of all times. Returns false where the source has no
+/// Makes the arrays of an image as the union of all times. Returns false where the source has no
 /// times.
 bool vtkWindingNumberImageAlgorithm::MakeUnion(
   vtkInformation* outInfo, const winding::Extent& samples, vtkImageData* image)

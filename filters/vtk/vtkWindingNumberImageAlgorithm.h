@@ -158,7 +158,7 @@ protected:
   virtual void MakeImage(vtkDataObject* source, const std::array<int, 6>& samples,
     vtkImageData* image, vtkDataSetAttributes* attributes) = 0;
 
-  /// Makes arrays of earlier times, `all`, those of these and of another time.
+  /// Takes `other`, the arrays of another time, into `all`, the arrays of earlier times.
   virtual void UniteTimes(vtkDataSetAttributes* all, vtkDataSetAttributes* other) = 0;
 
   /// How voxels are evaluated, by Coverage; what they are written to is left to the caller.

@@ -6,10 +6,10 @@ The mesh may be a surface, which need not be closed, a cloud of points with norm
 which counts through its outer surface, or a MultiBlock of these, whose blocks are one source. Where
 values are asked for at its points or cells, it may be any mesh.
 
-Methods that compute winding numbers take the options of vtkwinding.arrays, and normals_array and
-areas_array: the names of the point arrays with the normals of a cloud, where these are not the
-active ones, and with its areas, where these are known. Methods return copies, and name arrays as
-PyVista does. What a filter refuses is a WindingError, which is a RuntimeError.
+Methods that compute winding numbers take the options of vtkwinding.arrays. The options normals_array
+and areas_array name the point arrays with the normals of a cloud, where these are not the active
+ones, and with its areas, where these are known. Methods return copies, and name arrays as PyVista
+does. What a filter refuses is a WindingError, which is a RuntimeError.
 """
 
 from __future__ import annotations
@@ -201,11 +201,17 @@ class WindingAccessor:
         is said). It lies over the mesh, with a padding, or over bounds. Its voxels' centres are
         points, or cells with association='cell'.
 
-        inside, signed_distance: whether to add the arrays 'Inside' and 'SignedDistance'.
-        coverage: 'center', 'any' or 'fraction' of a voxel has to be inside; the latter two add
-            'Inside', and 'fraction' the array 'Coverage'.
-        distance_band: voxels beyond which distances need not be exact.
-        nearest_cells: whether voxels get 'NearestCell' and 'NearestBlock', as in surface().
+        Parameters
+        ----------
+        inside, signed_distance : bool
+            Whether to add the arrays 'Inside' and 'SignedDistance'.
+        coverage : {'center', 'any', 'fraction'}
+            How much of a voxel has to be inside; the latter two add 'Inside', and 'fraction' the
+            array 'Coverage'.
+        distance_band : float
+            Voxels beyond which distances need not be exact.
+        nearest_cells : bool
+            Whether voxels get 'NearestCell' and 'NearestBlock', as in surface().
         """
         _check_source("the mesh", self._mesh)
         nearest = self._attributes(self._mesh, False, nearest_cells, options)
@@ -329,11 +335,15 @@ class WindingAccessor:
         thickens an open surface as a sheet. The field data 'DistancesFrom' say whether distances
         are from this mesh, 'source', or from the 'surface' of the solid.
 
-        transfer_attributes: whether points take over what the nearest face, or point of a cloud,
-            has there, and faces what the cell nearest to their middle has. Floats and colours are
-            interpolated; of other arrays, such as labels, the nearest corner's value is taken.
-        nearest_cells: whether points and faces get 'NearestCell', the id of the cell, or point of a
-            cloud, that is nearest, and for a MultiBlock 'NearestBlock', the flat index of its block.
+        Parameters
+        ----------
+        transfer_attributes : bool
+            Whether points take over what the nearest face, or point of a cloud, has there, and
+            faces what the cell nearest to their middle has. Floats and colours are interpolated; of
+            other arrays, such as labels, the nearest corner's value is taken.
+        nearest_cells : bool
+            Whether points and faces get 'NearestCell', the id of the cell, or point of a cloud, that
+            is nearest, and for a MultiBlock 'NearestBlock', the flat index of its block.
         """
         _check_source("the mesh", self._mesh)
         shape, reach = _options.shape(fill_cavities, offset, shell, shell_side)

@@ -15,21 +15,21 @@ VTK_ABI_NAMESPACE_END
 
 /**
  * @file
- * The unions of results at several times: `all` has the arrays of earlier times, and gets those of
- * these and of another time. Both have the same arrays, as one filter makes them.
+ * The unions of results at several times. `all` has the arrays of earlier times, and takes `other`,
+ * the same arrays of another time, into them.
  */
 namespace winding
 {
 
-/// Unites the arrays of a field, whose values are named `name`. Values are taken from where they are
-/// farther inside by the rule. What is inside at any time is inside; shares are the largest, and
-/// distances the least. Returns how many samples are inside.
+/// Unites the arrays of a field, whose values are named `name`. Values come from the time at which
+/// they are farthest inside by the rule. What is inside at any time is inside; shares are the
+/// largest, and distances the least. Returns how many samples are inside.
 vtkIdType uniteResults(vtkDataSetAttributes* all, vtkDataSetAttributes* other,
   const std::string& name, InsideRule rule, double threshold);
 
-/// Unites the arrays of labels. A voxel keeps the label of the first time at which it has one. Counts
-/// and shares of labels are the largest; the two largest shares are from one time, which has the
-/// largest first share.
+/// Unites the arrays of labels. A voxel keeps the label of the first time at which it has one.
+/// Counts and shares of labels are the largest; the two largest shares are from one time, which has
+/// the largest first share.
 void uniteLabels(vtkDataSetAttributes* all, vtkDataSetAttributes* other);
 
 } // namespace winding

@@ -15,8 +15,8 @@ VTK_ABI_NAMESPACE_END
 namespace winding
 {
 
-/// Keeps back the warnings of a VTK object while it lives. At its end the object warns once of what it
-/// warned of with other numbers, too.
+/// Keeps back the warnings of a VTK object while it lives. At its end the object gives those that
+/// differ by more than numbers.
 class DistinctWarnings
 {
 public:
