@@ -276,7 +276,9 @@ void addBench(CLI::App& app, Options& options)
 {
   CLI::App* bench =
     app.add_subcommand("bench", "How long the methods take, and how exact they are");
-  bench->add_option("FILE", options.inputs, "Surfaces, each measured with every method")
+  bench
+    ->add_option(
+      "FILE", options.inputs, "Surfaces, each measured with every method: " + inputSuffixes())
     ->required()
     ->type_name("");
   bench
@@ -332,12 +334,11 @@ std::string explanation(const CLI::App& app, const CLI::ParseError& error, const
 
 } // namespace
 
-std::optional<Options> parseCommandLine(int argc, char** argv)
+void addCommands(CLI::App& app, Options& options)
 {
-  Options options;
-  CLI::App app(
-    "Winding numbers of surfaces and oriented point clouds: what is inside, and how often",
-    "winding");
+  app.name("winding");
+  app.description(
+    "Winding numbers of surfaces and oriented point clouds: what is inside, and how often");
   app.set_version_flag("--version", WINDING_VERSION);
   app.require_subcommand(1);
   for (const auto add : {addField, addSurface, addBoolean, addVoxels, addLabels, addProbe,
@@ -345,6 +346,13 @@ std::optional<Options> parseCommandLine(int argc, char** argv)
   {
     add(app, options);
   }
+}
+
+std::optional<Options> parseCommandLine(int argc, char** argv)
+{
+  Options options;
+  CLI::App app;
+  addCommands(app, options);
   try
   {
     app.parse(argc, argv);

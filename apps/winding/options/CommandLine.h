@@ -6,6 +6,15 @@
 
 #include <optional>
 
+namespace CLI
+{
+class App;
+}
+
+/// Adds all commands and their options, which set `options`, to an empty `app`. Man pages and
+/// completions are made of the same (apps/pages).
+void addCommands(CLI::App& app, Options& options);
+
 /**
  * Parses the command line. Prints help where that is asked for, and then returns nothing. Throws
  * Failure(EXIT_USAGE) for command lines that make no sense, whatever the input may be.

@@ -108,7 +108,12 @@ CLI::Validator oneOf(const Choices& choices)
       }
       return word + " is not one of " + names;
     });
-  return validator;
+  std::string names;
+  for (const auto& choice : choices)
+  {
+    names += (names.empty() ? "" : " ") + choice.first;
+  }
+  return validator.name(names);
 }
 
 CLI::Validator rules()

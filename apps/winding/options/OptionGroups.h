@@ -19,7 +19,8 @@
 /// The words that an option takes, and the numbers that they stand for.
 using Choices = std::vector<std::pair<std::string, int>>;
 
-/// Turns a word into its number. (CLI11's own transformer would take numbers too, and say less.)
+/// Turns a word into its number. The validator's name is all the words, with blanks between them.
+/// (CLI11's own transformer would take numbers too, and say less.)
 CLI::Validator oneOf(const Choices& choices);
 
 /// The words for the inside rules.
