@@ -7,7 +7,10 @@
 # together.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
-set(CPACK_PACKAGE_CONTACT "The Winding developers")
+set(WINDING_CONTACT "The Winding developers" CACHE STRING
+  "Who makes the Debian packages: a name, and an address in angle brackets")
+set(CPACK_PACKAGE_CONTACT "${WINDING_CONTACT}")
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_PACKAGING_INSTALL_PREFIX "${CMAKE_INSTALL_PREFIX}")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -31,9 +34,10 @@ if(WINDING_PARAVIEW)
   set(CPACK_PACKAGE_NAME paraview-winding)
   set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Winding-number fields in ParaView")
   set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
-    "Filters that tell inside from outside on surfaces with holes, overlaps and gaps, and on\n\
-clouds of points with normals: fields, closed surfaces, voxels, queries, reports. ParaView\n\
-loads them when it starts, or lists them in Tools, Manage Plugins.")
+    "Filters that tell inside from outside on surfaces with holes, overlaps and\n\
+gaps, and on clouds of points with normals: fields, closed surfaces, voxels,\n\
+queries, reports. ParaView loads them when it starts, or lists them in Tools,\n\
+Manage Plugins.")
   set(CPACK_COMPONENTS_ALL runtime Unspecified) # nothing to build with
   # ParaView's libraries lie in no package that dpkg-shlibdeps could ask here: python3-paraview
   # excludes python3-vtk9, so ParaView is not installed where both packages are made.
@@ -65,17 +69,56 @@ else()
   set(CPACK_PACKAGE_NAME vtk-winding)
   set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Winding-number fields for VTK")
   set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
-    "Filters that tell inside from outside on surfaces with holes, overlaps and gaps, and on\n\
-clouds of points with normals: fields, closed surfaces, voxels, queries, reports. The program\n\
-winding, the VTK module for C++ and CMake, and the Python packages vtkwinding and\n\
-vtkwinding_native.")
+    "Filters that tell inside from outside on surfaces with holes, overlaps and\n\
+gaps, and on clouds of points with normals: fields, closed surfaces, voxels,\n\
+queries, reports. The program winding, the VTK module for C++ and CMake, and\n\
+the Python packages vtkwinding and vtkwinding_native.")
   set(CPACK_COMPONENTS_ALL runtime development python Unspecified)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
-  set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+  # The wrappers are for one version of Python.
+  math(EXPR minor "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS
+    "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3 (<< 3.${minor})")
+  # CPack's shlibs would ask for the very version that a program was built with, and CPack adds no
+  # trigger for ldconfig.
+  set(later "vtk-winding (>= ${PROJECT_VERSION})")
+  set(control "${CMAKE_BINARY_DIR}/control")
+  file(WRITE "${control}/shlibs"
+    "libvtkFiltersWinding ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} ${later}\n"
+    "libwinding 1 ${later}\n")
+  file(WRITE "${control}/triggers" "activate-noawait ldconfig\n")
+  set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${control}/shlibs;${control}/triggers")
+  set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
   set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-vtk9, python3-numpy")
   set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libvtk9-dev, paraview-winding")
 endif()
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE"
-  DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${CPACK_PACKAGE_NAME}" RENAME copyright)
+
+# What Debian's policy asks for: the licences in a form for machines, and changelogs and man pages
+# that are compressed. gzip is given no name and no time, so that the bytes are the same again.
+set(documents "${CMAKE_INSTALL_DATADIR}/doc/${CPACK_PACKAGE_NAME}")
+file(READ "${PROJECT_SOURCE_DIR}/LICENSE" licence)
+string(REGEX REPLACE "^[^\n]*\n\n[^\n]*\n\n" "" licence "${licence}") # its name, and whose it is
+string(STRIP "${licence}" licence)
+string(REPLACE "\n\n" "\n.\n" licence "${licence}")
+string(REPLACE "\n" "\n " licence " ${licence}")
+configure_file(packages/debian/copyright.in "${CMAKE_BINARY_DIR}/copyright" @ONLY)
+set(contact "${WINDING_CONTACT}")
+if(NOT contact MATCHES "<.*>")
+  string(APPEND contact " <>") # which a changelog cannot be read without
+endif()
+string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+configure_file(packages/debian/changelog.in "${CMAKE_BINARY_DIR}/changelog.Debian" @ONLY)
+configure_file(CHANGELOG.md "${CMAKE_BINARY_DIR}/changelog" COPYONLY)
+configure_file(packages/debian/${CPACK_PACKAGE_NAME}.overrides "${CMAKE_BINARY_DIR}/overrides"
+  COPYONLY)
+install(FILES "${CMAKE_BINARY_DIR}/changelog" "${CMAKE_BINARY_DIR}/changelog.Debian"
+  "${CMAKE_BINARY_DIR}/copyright" DESTINATION "${documents}" COMPONENT runtime)
+install(FILES "${CMAKE_BINARY_DIR}/overrides"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/lintian/overrides" RENAME "${CPACK_PACKAGE_NAME}"
+  COMPONENT runtime)
+install(CODE "
+  set(share \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share\")
+  file(GLOB texts \"\${share}/man/man1/*.1\" \"\${share}/doc/*/changelog*\")
+  execute_process(COMMAND gzip -9nf \${texts} COMMAND_ERROR_IS_FATAL ANY)" COMPONENT runtime)
 include(CPack)

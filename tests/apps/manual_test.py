@@ -128,7 +128,7 @@ class Terminal:
         self.read(30, ["clear\n"])
 
     def complete(self, text, awaited):
-        """What the shell shows when the tabulator key is pressed until it shows all awaited words."""
+        """What the shell shows while the tabulator key is pressed, until all that is awaited."""
         shown, end = "", time.monotonic() + 20
         self.type(text)
         while time.monotonic() < end and not all(word in shown for word in awaited):

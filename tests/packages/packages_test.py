@@ -66,6 +66,17 @@ def unpacked(package, root):
     return root
 
 
+class TestPolicy(unittest.TestCase):
+    """What Debian asks of packages; packages/debian has the overrides, each with its reason."""
+
+    def test_lintian_has_nothing_to_say(self):
+        for package in (VTK_PACKAGE, PARAVIEW_PACKAGE):
+            run = subprocess.run(["lintian", "--allow-root", "--fail-on", "error,warning", package],
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                 timeout=300)
+            self.assertEqual((run.returncode, run.stdout), (0, ""))
+
+
 class TestVtkWinding(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -84,6 +95,13 @@ class TestVtkWinding(unittest.TestCase):
         for name, content in seeds.three_mf(seeds.POINTS, seeds.FACES):
             (self.files / f"{name}.3mf").write_bytes(content)
             output_of(self.root / "usr/bin/winding", "check", f"{name}.3mf", cwd=self.files)
+
+    def test_has_man_pages_and_completions(self):
+        share = self.root / "usr/share"
+        for name in ("man/man1/winding.1.gz", "man/man1/winding-surface.1.gz",
+                     "bash-completion/completions/winding", "zsh/vendor-completions/_winding",
+                     "fish/vendor_completions.d/winding.fish"):
+            self.assertTrue((share / name).is_file(), name)
 
     def test_cmake_finds_the_module(self):
         project = SOURCES / "data" / "examples"
