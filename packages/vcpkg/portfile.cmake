@@ -1,0 +1,25 @@
+# A port for vcpkg: libwinding, and with the feature vtk filters and program. It was not run; CMake
+# has read it with vcpkg's functions replaced (tests/packages/recipes_test.py). The address is a
+# placeholder, and ./dev release writes a copy with the hash of the archive that it makes. Eigen 5
+# was not tried, which vcpkg may have by now: filters/Dependencies.cmake asks for 3.4.
+vcpkg_download_distfile(ARCHIVE
+  URLS "https://archive.invalid/winding-${VERSION}.tar.gz"
+  FILENAME "winding-${VERSION}.tar.gz"
+  SHA512 0)
+vcpkg_extract_source_archive(SOURCE_PATH ARCHIVE "${ARCHIVE}")
+
+vcpkg_check_features(OUT_FEATURE_OPTIONS options
+  INVERTED_FEATURES vtk WINDING_LIBRARY_ONLY)
+vcpkg_cmake_configure(
+  SOURCE_PATH "${SOURCE_PATH}"
+  OPTIONS ${options} -DWINDING_TESTS=OFF)
+vcpkg_cmake_install()
+vcpkg_copy_pdbs()
+vcpkg_cmake_config_fixup(PACKAGE_NAME Winding CONFIG_PATH lib/cmake/Winding)
+if("vtk" IN_LIST FEATURES)
+  vcpkg_cmake_config_fixup(PACKAGE_NAME vtkWinding CONFIG_PATH lib/cmake/vtkWinding)
+  vcpkg_copy_tools(TOOL_NAMES winding AUTO_CLEAN)
+endif()
+vcpkg_fixup_pkgconfig()
+file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/debug/include" "${CURRENT_PACKAGES_DIR}/debug/share")
+vcpkg_install_copyright(FILE_LIST "${SOURCE_PATH}/LICENSE")
