@@ -15,6 +15,12 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE}")
 endif()
 
+# Packages and wheels are linked with the RPATHs that they are installed with. RPATHs of the build
+# would be cut out later, and leave the length of its path and another build ID.
+if(WINDING_PACKAGES OR SKBUILD)
+  set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)
+endif()
+
 option(WINDING_WERROR "Treat warnings as errors" OFF)
 set(winding_warnings)
 if(NOT MSVC)
