@@ -456,7 +456,8 @@ class WindingAccessor:
         with bar(progress_bar, f"Making the {operation}") as show:
             arrays = _booleans.combine(solids, sides, number, grid, show=show, **settings)
         surface = _surface_of(arrays)
-        surface.cell_data["Operand"] = arrays["numbers"].astype(np.int32)
+        numbers = arrays["numbers"]
+        surface.cell_data["Operand"] = np.array([] if numbers is None else numbers, np.int32)
         if attributes is not None:
             attributes.add_to(surface)
         return surface

@@ -397,6 +397,13 @@ class AccessorTest(Warned):
         with self.assertRaisesRegex(TypeError, "other must be a surface"):
             one.winding.boolean_union(3)
 
+    def test_booleans_without_a_result_are_empty(self):
+        one, other = ball(), ball().translate((3, 0, 0), inplace=False)
+        with self.assertWarnsRegex(vtkwinding.WindingWarning, "nothing is inside of the result"):
+            found = one.winding.boolean_intersection(other, resolution=10, nearest_cells=True)
+        self.assertEqual((found.n_points, found.n_cells), (0, 0))
+        self.assertEqual(found.cell_data["Operand"].dtype, np.int32)
+
     def test_fractions_add_up_to_the_volume(self):
         mesh = ball()
         image = pv.ImageData(dimensions=(8, 9, 10), spacing=(0.2, 0.17, 0.15), origin=(-0.7,) * 3)
