@@ -11,7 +11,9 @@ import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
-STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from options import options_in  # noqa: E402
+
 # Panels may begin with another value than a property, where a picture is what their users want.
 OTHER_DEFAULTS = {("WindingNumberHyperTree", "MaskOutside"), ("SurfaceReport", "FaultThickness"),
                   ("WindingNumberGridAlgorithm", "Resolution"),
@@ -24,28 +26,6 @@ NOT_HASHED = {"NumberOfThreads", "LongestExpectedTime", "VerifySamples"}
 NOT_CHOSEN = {("vtkImplicitWindingNumber", "ROWS"), ("vtkPointAreas", "ARRAY")}
 # What the hash of a filter's properties is made of.
 HASHED = "HashProperties|GetSourceOptions|GetResultOptions|WantsDistances|SamplesCells|KeepsPart"
-
-
-class Option:
-    def __init__(self, text):
-        fields = STRING.findall(text)
-        self.name = text.split(",")[0].strip()
-        self.kind = text.split(",")[2].strip()
-        self.property, self.default, self.help = fields[0], fields[1], fields[-1]
-        self.label, self.option, self.keyword = fields[-4], fields[-3], fields[-2]
-        self.choices = {}
-
-
-def options_in(path):
-    options, text = [], re.sub(r"//.*", "", path.read_text())
-    for kind, body in re.findall(r"^(OPTION|CHOICE)\((.*?)\)$", text, re.MULTILINE | re.DOTALL):
-        if kind == "OPTION":
-            options.append(Option(body))
-        else:
-            name, number, rest = body.split(",", 2)
-            assert options[-1].name == name.strip(), body
-            options[-1].choices[number.strip()] = STRING.findall(rest)
-    return options
 
 
 def numbers(text):
