@@ -62,6 +62,23 @@ TEST(CloudOrientation, OfASphereIsOutwardAndOfItsReverseInward)
   EXPECT_EQ(back.behind, -inward.before);
 }
 
+TEST(CloudOrientation, TakesWindingNumbersLessThanAQuarterOffForClear)
+{
+  winding::SerialExecutor serial;
+  for (const double factor : {0.72, 0.78, 1.22, 1.28})
+  {
+    // w is the factor behind the points, and 0 before them.
+    winding::PointCloud cloud = withAreas(sphereCloud(5000));
+    for (double& area : cloud.areas)
+    {
+      area *= factor;
+    }
+    const winding::CloudOrientation found = winding::orientationOf(cloud, serial);
+    EXPECT_NEAR(found.behind, factor, 0.01);
+    EXPECT_EQ(found.outward, std::abs(factor - 1) < 0.25 ? 1 : 0) << factor;
+  }
+}
+
 TEST(CloudOrientation, IsNotClearWhereNormalsContradictEachOther)
 {
   SCOPED_TRACE("seed 96");

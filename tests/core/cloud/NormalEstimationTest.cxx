@@ -133,6 +133,39 @@ TEST(NormalEstimation, TurnsAPointLikeItsNeighborsThoughItIsNoneOfTheirs)
   EXPECT_LT(estimate(positions).back()[2], -0.9);
 }
 
+TEST(PlacePlanes, HaveTheDeviationOfTheNoise)
+{
+  SCOPED_TRACE("seed 47");
+  Random random(47);
+  constexpr double noise = 1e-3;
+  std::vector<Point> positions;
+  for (int n = 0; n < 20000; ++n)
+  {
+    // The sum of twelve has a variance of 1.
+    double sum = -6;
+    for (int i = 0; i < 12; ++i)
+    {
+      sum += random(0, 1);
+    }
+    positions.push_back({random(0, 100), random(0, 100), noise * sum});
+  }
+  const winding::DistinctPoints places = placesOf(positions);
+  winding::SerialExecutor serial;
+  for (const std::size_t neighbors : {6u, 20u})
+  {
+    const std::vector<double> deviations =
+      winding::placePlanes(places, neighbors, serial).deviations;
+    double variance = 0;
+    for (const double deviation : deviations)
+    {
+      variance += deviation * deviation / static_cast<double>(deviations.size());
+    }
+    // Places are in other units. Measured: 0.987 and 0.983.
+    const double unit = noise * winding::unitScaleOf(positions);
+    EXPECT_NEAR(variance / (unit * unit), 1, 0.03) << neighbors;
+  }
+}
+
 TEST(NormalEstimation, IsNotSpoiledByAFarOutlierOrEqualPoints)
 {
   Cloud cloud = sphereCloud(2000);

@@ -83,6 +83,23 @@ TEST(Fidelity, TellsOnePartFromTheOtherAndWhichIsLost)
   EXPECT_EQ(compare(*field, Mesh()).samples, 0u);
 }
 
+TEST(Fidelity, FindsPartsOfWhichOnlyACornerOrTheMiddleOfAFaceIsNear)
+{
+  const Mesh ball = icosphere(2);
+  const Mesh small = ball.mapped([](const Point& p) -> Point { return 0.01 * p; });
+  const Mesh large = tetrahedron().mapped([](const Point& p) -> Point { return 50 * p; });
+  for (const Point& place : {large.points[0], large.points[2],
+         Point((large.points[0] + large.points[1] + large.points[2]) / 3)})
+  {
+    const auto field = fieldOf(
+      ball.mapped([](const Point& p) -> Point { return p - Point(500, 0, 0); }).with(large));
+    const Mesh near = small.mapped([&](const Point& p) -> Point { return p + place; });
+    const Fidelity found = compare(*field, near);
+    EXPECT_EQ(found.components, 2u);
+    EXPECT_EQ(found.lostComponents, 1u);
+  }
+}
+
 TEST(Fidelity, HasNoVolumeOfOpenSourcesAndNoPartsOfClouds)
 {
   EXPECT_TRUE(std::isnan(compare(*fieldOf(openCube()), cube()).sourceVolume));

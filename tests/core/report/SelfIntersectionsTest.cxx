@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace
 {
 
@@ -48,6 +50,34 @@ TEST(SelfIntersections, OfTwoTetrahedraAreThePairsOfTrianglesThatCross)
   const std::size_t through = countOf(small.with(wall));
   EXPECT_TRUE(through == 3 || through == 4) << through;
   EXPECT_EQ(countOf(small.with(movedBy(wall, {0, 0, 5}))), 0u);
+}
+
+TEST(SelfIntersections, AreFoundWhicheverOfTwoTrianglesWithACommonVertexGoesThroughTheOther)
+{
+  // The last edge of the second triangle goes through the first one.
+  const Mesh two{
+    {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1.1, 1}}, {{0, 1, 2}, {0, 3, 4}}};
+  Mesh apart = two;
+  apart.points[3][2] = 0.5;
+  for (int turn = 0; turn < 18; ++turn)
+  {
+    const auto turnedBy = [turn](Mesh mesh)
+    {
+      const auto rotate = [](auto& ids, int by)
+      {
+        std::rotate(ids.begin(), ids.begin() + by, ids.end());
+      };
+      rotate(mesh.triangles[0], turn % 3);
+      rotate(mesh.triangles[1], turn / 3 % 3);
+      if (turn >= 9)
+      {
+        std::swap(mesh.triangles[0], mesh.triangles[1]);
+      }
+      return mesh;
+    };
+    EXPECT_EQ(countOf(turnedBy(two)), 1u) << turn;
+    EXPECT_EQ(countOf(turnedBy(apart)), 0u) << turn;
+  }
 }
 
 TEST(SelfIntersections, AreThoseThatAllPairsShow)

@@ -3,6 +3,7 @@
 #include "report/Verify.h"
 
 #include "base/Bounds.h"
+#include "base/Pi.h"
 #include "base/Views.h"
 #include "support/Shapes.h"
 
@@ -378,6 +379,24 @@ TEST(Verify, CountsSamplesAtPointsOfACloudApartUnlessTheyAreRegularized)
     const Verification wrong = verifyWith(
       *field, grid, grid.wholeExtent(), [](const Eigen::Vector3i&, double) { return notANumber; });
     EXPECT_EQ(wrong.onSurface, 0u);
+  }
+}
+
+TEST(Verify, CountsSamplesApartUpToTheRadiusAtWhichTheShareOfAPointIsOne)
+{
+  // The share of a point with this area is 1 at a distance of 0.5 along its normal.
+  const std::vector<double> areas = {4 * winding::pi * 0.25};
+  const Cloud cloud{{{0, 0, 0}}, {{0, 0, 1}}};
+  winding::SerialExecutor serial;
+  winding::OrientedPointsView view = cloud.view();
+  view.areas = {areas.data(), 1};
+  const auto field = Field::build(std::vector<winding::OrientedPointsView>{view}, {}, serial);
+  for (const auto& [distance, isNear] : {std::pair(0.495, true), {0.505, false}})
+  {
+    const Grid grid = {{0, 0, distance}, {1, 1, 1}, {1, 1, 1}};
+    const Verification found = verifyWith(*field, grid, grid.wholeExtent(), unchanged);
+    EXPECT_EQ(found.besidePoints.samples > 0, isNear) << distance;
+    EXPECT_EQ(found.everywhere.samples > 0, !isNear) << distance;
   }
 }
 

@@ -230,6 +230,27 @@ TEST(Orientation, OfOpenSurfacesKeepsMostOfTheirArea)
   EXPECT_EQ(disagreements(turned(clean(flat), found.isTurned)), 0u);
 }
 
+TEST(Orientation, OfEqualHalvesKeepsTheFirst)
+{
+  // A fin stands on a strip, on which its sense makes no difference. Its halves disagree.
+  Mesh mesh{
+    {{0, 0, 0}, {0, 1, 0}, {3, 0, 0}, {3, 1, 0}, {-3, 0, 0}, {-3, 1, 0}, {0, 0, 1}, {0, 1, 1}},
+    {{0, 1, 7}, {0, 7, 6}, {0, 2, 3}, {0, 3, 1}, {4, 0, 1}, {4, 1, 5}}};
+  for (int turn = 0; turn < 4; ++turn)
+  {
+    Mesh fin = mesh;
+    std::swap(fin.triangles[turn % 2][1], fin.triangles[turn % 2][2]);
+    if (turn >= 2)
+    {
+      std::swap(fin.triangles[0], fin.triangles[1]);
+    }
+    const Orientation found = orient(clean(fin));
+    EXPECT_EQ(std::vector<bool>(found.isTurned.begin(), found.isTurned.end()),
+      (std::vector<bool>{false, true, false, false, false, false}))
+      << turn;
+  }
+}
+
 TEST(Orientation, LeavesWhatIsOneSided)
 {
   const Mesh strip = shuffled(moebiusStrip(20), 761, 0.3);
@@ -441,6 +462,21 @@ TEST(NearlyClosed, CapsDoNotDependOnTheSideThatIsOut)
     std::sort(turned.begin(), turned.end());
     EXPECT_EQ(turned, capOf(mesh)) << hole;
     EXPECT_FALSE(turned.empty()) << hole;
+  }
+}
+
+TEST(NearlyClosed, ClosesCapsOfUpToHalfOfTheArea)
+{
+  // The cap of an open box of height h has 1 / (1 + 4 h) of its area.
+  for (const auto& [share, isClosed] : {std::pair(0.48, true), {0.52, false}})
+  {
+    const double height = (1 / share - 1) / 4;
+    Surface surface =
+      clean(openCube().mapped([=](const Point& p) { return Point(p[0], p[1], height * p[2]); }));
+    const SurfaceEdges edges = edgesOf(surface);
+    winding::Components components = winding::componentsOf(surface, edges);
+    winding::closeNearlyClosed(surface, edges, components);
+    EXPECT_EQ(components.isClosed[0] != 0, isClosed) << share;
   }
 }
 

@@ -184,6 +184,40 @@ TEST(TouchedVoxels, FacesBelongToBothVoxels)
   }
 }
 
+/// Corners at tenths, and voxels of tenths, are none that numbers can hold: rounding may put either
+/// first, and both voxels are touched, along every axis.
+TEST(TouchedVoxels, FacesAtTenthsBelongToBothVoxelsAlongEveryAxis)
+{
+  for (const Point& spacing :
+    {Point(0.1, 0.1, 0.1), Point(0.1, 0.3, 0.7), Point(0.7, 0.1, 0.3), Point(0.3, 0.7, 0.1)})
+  {
+    const Grid grid = gridOf({10, 10, 10}, spacing);
+    for (int low = 1; low < 9; ++low)
+    {
+      for (int high = low + 1; high < 9; ++high)
+      {
+        Point from, to;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          // Numbers are as written, and no computed multiples.
+          const double tenths = std::round(10 * spacing[axis]);
+          from[axis] = low * tenths / 10;
+          to[axis] = high * tenths / 10;
+        }
+        const Marks marks = marksOf(shapes::cube(from, to), grid);
+        for (std::size_t i = 0; i < marks.size(); ++i)
+        {
+          const Eigen::Vector3i voxel = winding::sampleIndex(grid.wholeExtent(), i);
+          const bool isIn = voxel.minCoeff() >= low - 1 && voxel.maxCoeff() <= high;
+          const bool isWithin = voxel.minCoeff() > low && voxel.maxCoeff() < high - 1;
+          ASSERT_EQ(marks[i], isIn && !isWithin)
+            << voxel.transpose() << " of " << low << " to " << high;
+        }
+      }
+    }
+  }
+}
+
 TEST(TouchedVoxels, PointsTouchTheVoxelsThatMeetThere)
 {
   const Grid grid = gridOf({5, 5, 5});
