@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -322,6 +323,25 @@ TEST_F(NormalsCommand, OfNothingOrOfPointsThatAreFewAreRefusedOrWarnedOf)
   EXPECT_NE(one.err.find("points at one place have no areas: use --area"), std::string::npos)
     << one;
   EXPECT_FALSE(folder.names().empty());
+}
+
+TEST_F(NormalsCommand, OfPlatesInPlanesOfTheAxesAreTakenAlongEachAxis)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Places places;
+    for (int n = 0; n < 100; ++n)
+    {
+      std::array<double, 3> place = {};
+      place[static_cast<std::size_t>(axis + 1) % 3] = n % 10;
+      place[static_cast<std::size_t>(axis + 2) % 3] = std::floor(n / 10);
+      places.push_back(place);
+    }
+    const Outcome run = this->run(folder.write("plate.xyz", asBareXyz(places)), "plate.csv");
+    EXPECT_EQ(run.status, 0) << run;
+    const std::string table = contentsOf(folder.path("plate.csv"));
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 101) << "all points have normals";
+  }
 }
 
 TEST_F(NormalsCommand, EndAtASignal)

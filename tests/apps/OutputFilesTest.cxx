@@ -3,12 +3,19 @@
 #include "apps/Inputs.h"
 #include "apps/RunProgram.h"
 
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkXMLPImageDataReader.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <set>
+#include <string>
 #include <thread>
 
 #include <sys/file.h>
@@ -284,6 +291,41 @@ TEST_F(OutputFiles, FilesOfOthersStay)
   for (const std::string& name : names)
   {
     EXPECT_EQ(contentsOf(folder.path(name)), "somebody's") << name;
+  }
+}
+
+TEST_F(OutputFiles, PiecesOfAnOlderRunAreClearedThoughThereIsButOneMore)
+{
+  for (const int count : {5, 4, 1, 3, 2})
+  {
+    const Outcome run = runProgram({"field", in, "-o", folder.path("p.pvti"), "--resolution", "8",
+      "--pieces", std::to_string(count)});
+    EXPECT_EQ(run.status, 0) << run;
+    std::set<std::string> names, expected;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path("p")))
+    {
+      names.insert(entry.path().filename().string());
+    }
+    for (int piece = 0; piece < count; ++piece)
+    {
+      expected.insert("p_" + std::to_string(piece) + ".vti");
+    }
+    EXPECT_EQ(names, expected);
+  }
+}
+
+TEST_F(OutputFiles, NamesWithMarksOfXmlAreReadBack)
+{
+  for (const std::string name : {"a&b", "a<b>", "a\"b", "a'b", "a &quot; b"})
+  {
+    const Outcome run = runProgram(
+      {"field", in, "-o", folder.path(name + ".pvti"), "--resolution", "8", "--pieces", "2"});
+    EXPECT_EQ(run.status, 0) << run;
+    vtkNew<vtkXMLPImageDataReader> reader;
+    reader->SetFileName(folder.path(name + ".pvti").c_str());
+    reader->Update();
+    EXPECT_EQ(reader->GetErrorCode(), 0u) << name;
+    EXPECT_NE(reader->GetOutput()->GetPointData()->GetArray("WindingNumber"), nullptr) << name;
   }
 }
 

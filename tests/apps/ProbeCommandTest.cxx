@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -293,6 +294,41 @@ TEST_F(ProbeCommand, DataSetsKeepTheirCells)
   const auto lines = split(contentsOf(folder.path("out.csv")), '\n');
   EXPECT_EQ(lines[0], "x,y,z,WindingNumber,Inside");
   EXPECT_EQ(lines.size(), 19u);
+}
+
+/// VTK's writers follow a null pointer where a cell has too few points for its kind.
+TEST_F(ProbeCommand, CellsOfEachKindWithTooFewPointsAreLeftOut)
+{
+  const std::string points = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n"
+                             "POINTS 4 float\n0 0 0 .1 0 0 0 .1 0 .1 .1 0\n";
+  for (const auto& [kind, fewest] : {std::pair("VERTICES", 1), std::pair("LINES", 2),
+         std::pair("POLYGONS", 3), std::pair("TRIANGLE_STRIPS", 3)})
+  {
+    // One cell has one point fewer, the next as many as there must be, the last one more.
+    std::string cells;
+    int numbers = 0;
+    for (int size = std::max(fewest - 1, 1); size <= fewest + 1; ++size)
+    {
+      cells += std::to_string(size);
+      for (int n = 0; n < size; ++n)
+      {
+        cells += " " + std::to_string(n);
+      }
+      cells += "\n";
+      numbers += size + 1;
+    }
+    const int count = fewest == 1 ? 2 : 3;
+    const Outcome run =
+      probe(folder.write("cells.vtk", points + kind + " " + std::to_string(count) + " " +
+                                        std::to_string(numbers) + "\n" + cells),
+        "out.vtp");
+    ASSERT_EQ(run.status, 0) << run;
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(folder.path("out.vtp").c_str());
+    reader->Update();
+    EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 2) << kind;
+    EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 4) << kind;
+  }
 }
 
 TEST_F(ProbeCommand, FractionsAreThoseOfCells)

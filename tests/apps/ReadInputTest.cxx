@@ -353,6 +353,27 @@ TEST(ReadInput, Compressed)
   EXPECT_EQ(runProgram({"surface", in, "-o", folder.path("out.ply.gz")}).status, 1);
 }
 
+/// Packers that nothing is unpacked of are named by the marks of their files.
+TEST(ReadInput, CompressedByOthers)
+{
+  const TemporaryFolder folder;
+  const std::string magic[] = {std::string("PK\x03\x04\x14\0", 6), "BZh91AY&SY\x01\x02",
+    std::string("\xFD") + "7zXZ" + std::string("\0\0\x04", 3)};
+  const std::string names[] = {"zip", "bzip2", "xz"};
+  for (std::size_t n = 0; n < 3; ++n)
+  {
+    for (const std::string suffix : {"obj", "stl", "xyz"})
+    {
+      const Outcome run = check(folder.write("in." + suffix, magic[n] + std::string(100, '\x02')));
+      EXPECT_EQ(run.status, 2) << run;
+      EXPECT_TRUE(run.saysInOneLine({"compressed with " + names[n], "unpack it first"})) << run;
+    }
+  }
+  // A text may begin with the letters.
+  const Outcome text = check(folder.write("in.obj", "BZh91\nv 0 0 0\n"));
+  EXPECT_EQ(text.err.find("bzip2"), std::string::npos) << text;
+}
+
 /// Counts that no file of that size can hold must not be believed.
 TEST(ReadInput, HugeAndNegativeCounts)
 {
