@@ -4,11 +4,13 @@
 #include "vtk/ErrorLog.h"
 #include "vtk/PointProbe.h"
 #include "vtk/ReadMesh.h"
+#include "vtk/SphereCloud.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkImplicitWindingNumber.h"
@@ -489,6 +491,39 @@ TEST_F(FixOrientation, TakesCellsThatBoundNothing)
   EXPECT_TRUE(filter->GetClosed());
   EXPECT_GT(filter->GetVolume(), 0);
   EXPECT_EQ(polygonsOf(output->GetPolys())[8], (Polygon{5, 5, 6}));
+}
+
+TEST_F(FixOrientation, OfCloudsLeavesOtherNormalsActive)
+{
+  const vtkSmartPointer<vtkPolyData> cloud = sphereCloud(2000, 1);
+  vtkNew<vtkDoubleArray> inward;
+  inward->SetName("Inward");
+  inward->SetNumberOfComponents(3);
+  for (vtkIdType id = 0; id < cloud->GetNumberOfPoints(); ++id)
+  {
+    double at[3];
+    cloud->GetPoint(id, at);
+    inward->InsertNextTuple3(-at[0], -at[1], -at[2]);
+  }
+  cloud->GetPointData()->AddArray(inward);
+  for (const char* const name : {"Normals", "Inward"})
+  {
+    for (const char* const active : {"Normals", "Inward", ""})
+    {
+      SCOPED_TRACE(std::string(name) + " turned, active " + active);
+      cloud->GetPointData()->SetActiveNormals(*active ? active : nullptr);
+      filter->SetNormalsArray(name);
+      vtkPointData* const found = this->fixed(cloud)->GetPointData();
+      vtkDataArray* const normals = found->GetNormals();
+      EXPECT_EQ(std::string(normals ? normals->GetName() : ""), active);
+      EXPECT_EQ(found->GetNumberOfArrays(), 2);
+      double at[3];
+      cloud->GetPoint(7, at);
+      EXPECT_GT(vtkMath::Dot(found->GetArray(name)->GetTuple3(7), at), 0.99);
+      const char* const other = std::string(name) == "Normals" ? "Inward" : "Normals";
+      EXPECT_EQ(found->GetArray(other), cloud->GetPointData()->GetArray(other));
+    }
+  }
 }
 
 TEST_F(FixOrientation, OfCloudsAndOfNothingDoesNothing)
