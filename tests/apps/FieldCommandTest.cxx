@@ -405,21 +405,54 @@ TEST_F(FieldCommand, PiecesAndThreadsDoNotChangeABit)
   }
 }
 
+/// Errors and counts of samples are those of the whole grid, whichever piece has the worst sample.
 TEST_F(FieldCommand, PiecesReportTheFiguresOfAll)
 {
-  // Errors of this size tell one piece from another.
-  std::vector<std::string> options = {
-    "--cells", "--verify", "200", "--method", "hierarchical", "--tolerance", "0.01"};
-  const nlohmann::json whole = run("a.vti", options).json();
-  EXPECT_GT(whole["max_error"], 1e-5);
-  options.insert(options.end(), {"--pieces", "5"});
-  const nlohmann::json pieces = run("a.vti", options).json();
-  for (const char* name : {"max_error", "rms_error", "near_max_error"})
+  Mesh moved = sphere(3);
+  for (auto& point : moved.points)
   {
-    EXPECT_NEAR(whole[name].get<double>(), pieces[name].get<double>(), 1e-12) << name;
+    point[2] = 0.7 * point[2] + 0.3 * point[0];
   }
-  EXPECT_EQ(whole["grid"], pieces["grid"]);
-  EXPECT_GT(pieces["seconds"]["evaluate"], 0);
+  const std::string cloud = folder.write("cloud.xyz", asXyz(sphere(2)));
+  const std::string oblique = folder.write("moved.off", asOff(moved));
+  for (const auto& [source, names] :
+    {std::pair(in, std::vector<std::string>{}), std::pair(oblique, std::vector<std::string>{}),
+      std::pair(cloud, std::vector<std::string>{"beside_points_max_error"})})
+  {
+    for (const char* dimensions : {"31", "12"})
+    {
+      SCOPED_TRACE(source + " " + dimensions);
+      // Errors of this size distinguish one piece from another.
+      std::vector<std::string> words = {"field", source, "-o", folder.path("a.vti"), "--json",
+        "--cells", "--dims", dimensions, "17", "9", "--verify", "200", "--inside", "--distance",
+        "--distance-band", "1.5", "--method", "hierarchical", "--tolerance", "0.01"};
+      const nlohmann::json whole = runProgram(words).json();
+      EXPECT_GT(whole["max_error"], 1e-6);
+      for (const char* count : {"2", "5"})
+      {
+        std::vector<std::string> more = words;
+        more.insert(more.end(), {"--pieces", count});
+        const nlohmann::json pieces = runProgram(more).json();
+        for (const char* name : {"max_error", "rms_error", "near_max_error", "distance_band"})
+        {
+          EXPECT_NEAR(whole[name].get<double>(), pieces[name].get<double>(), 1e-12) << name;
+        }
+        for (const std::string& name : names)
+        {
+          EXPECT_GT(whole[name], 0) << name;
+          EXPECT_EQ(whole[name], pieces[name]) << name;
+        }
+        for (const char* name : {"on_surface", "beside_points", "inside", "grid", "input"})
+        {
+          EXPECT_EQ(whole[name], pieces[name]) << name;
+        }
+        EXPECT_GT(pieces["seconds"]["evaluate"], 0);
+      }
+      const nlohmann::json sides = whole["grid"]["spacing"];
+      const double longest = std::max({sides[0], sides[1], sides[2]});
+      EXPECT_NEAR(whole["distance_band"].get<double>(), 1.5 * longest, 1e-12);
+    }
+  }
 }
 
 TEST_F(FieldCommand, PiecesWarnOnce)

@@ -6,6 +6,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -108,6 +109,38 @@ TEST(FieldOnRanks, OfACloudTakesTheAreasThatAreGiven)
     EXPECT_NEAR(expected->GetMeanPointArea(), 0.02, 1e-3);
     expectSame(found->GetOutput()->GetPointData()->GetArray("WindingNumber"),
       expected->GetOutput()->GetPointData()->GetArray("WindingNumber"));
+  }
+}
+
+TEST(FieldOnRanks, OfEqualPointsWithOtherAreasOrNormalsIsOfNoCopies)
+{
+  for (const bool differInAreas : {false, true})
+  {
+    SCOPED_TRACE(differInAreas);
+    const auto part = pointsOf(shapes::icosphere(2), whole, 0, 1);
+    vtkNew<vtkDoubleArray> areas;
+    areas->SetName("Area");
+    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+    {
+      areas->InsertNextValue(differInAreas ? 0.01 * (rank() + 1) : 0.01);
+      const double* const normal = part->GetPointData()->GetNormals()->GetTuple3(i);
+      const double factor = differInAreas ? 1 : rank() % 2 == 0 ? 1 : -1;
+      const double own[3] = {factor * normal[0], factor * normal[1], factor * normal[2]};
+      part->GetPointData()->GetNormals()->SetTuple(i, own);
+    }
+    part->GetPointData()->AddArray(areas);
+    const auto field = filterOf<vtkWindingNumberField>(part, false);
+    field->SetPointAreaMethod(vtkWindingNumberField::ARRAY);
+    field->SetUseInputBounds(false);
+    field->SetSamplingBounds(-0.1, 0.1, -0.1, 0.1, -0.1, 0.1);
+    field->SetSamplingDimensions(2, 2, 2 * ranks());
+    updatePiece(field);
+    // The parts add up. A sphere of area 4 pi has w = 1 inside, and that of its points is 162.
+    const double ofArea = 0.01 * 162 / (4 * vtkMath::Pi());
+    const double sum = differInAreas ? 0.5 * ranks() * (ranks() + 1) : ranks() % 2;
+    vtkDataArray* const values = field->GetOutput()->GetPointData()->GetArray("WindingNumber");
+    ASSERT_NE(values, nullptr);
+    EXPECT_NEAR(values->GetTuple1(0), sum * ofArea, 1e-2);
   }
 }
 

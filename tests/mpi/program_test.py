@@ -94,8 +94,21 @@ def test_verification(runs):
              *("-0.3125", "1.3125") * 3, "--verify", "500", "--json"]
     alone, of_ranks = (json.loads(run(*words).stdout) for run in (runs.alone, runs.of_ranks))
     assert alone["on_surface"] > 100, alone
-    for name in ("on_surface", "beside_points", "max_error", "near_max_error"):
+    names = ("on_surface", "beside_points", "max_error", "near_max_error", "inside")
+    for name in names:
         assert of_ranks[name] == alone[name], (name, of_ranks[name], alone[name])
+    # Errors of this size distinguish ranks, and the worst sample is of the first or the last one.
+    for bounds in ("-1.5 1.5 -1.5 1.5 -3 1.2", "-1.5 1.5 -1.5 1.5 -1.2 3"):
+        for source in runs.share(("closed.obj", "cloud.xyz")):
+            words = ["field", source, "-o", "v.vti", "--dims", "21", "14", "34", "--bounds",
+                     *bounds.split(), "--verify", "300", "--json", "--inside", "--method",
+                     "hierarchical", "--tolerance", "0.01"]
+            alone = json.loads(runs.alone(*words).stdout)
+            of_ranks = json.loads(runs.of_ranks(*words).stdout)
+            assert alone["max_error"] > 1e-6, alone
+            for name in (*names, "beside_points_max_error"):
+                assert of_ranks[name] == alone[name], (name, of_ranks[name], alone[name])
+            assert abs(of_ranks["rms_error"] / alone["rms_error"] - 1) < 1e-9, (of_ranks, alone)
 
 
 def test_pieces(runs):
@@ -141,6 +154,16 @@ def test_probe_and_surface(runs):
         assert run.stdout.count("wrote") == 1 and not run.stderr, (run.stdout, run.stderr)
         assert filecmp.cmp(runs.folder / ("one" + suffix), runs.folder / ("all" + suffix),
                            shallow=False), words
+
+
+def test_broken_queries(runs):
+    """Queries that a probe refuses are refused on any number of ranks, in the same words."""
+    (runs.folder / "broken.vtk").write_text(
+        "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+        "0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 99\n")
+    words = ["probe", "closed.obj", "broken.vtk", "-o", "q.vtp"]
+    alone, of_ranks = runs.run(words, status=2), runs.of_ranks(*words, status=2)
+    assert own_lines(alone) == own_lines(of_ranks) and len(own_lines(alone)) == 1, of_ranks.stderr
 
 
 def test_labels(runs):
@@ -265,7 +288,8 @@ def main(program, mpirun, ranks, compare):
         inputs.main(folder)
         runs = Runs(program, mpirun, int(ranks), compare, folder)
         for test in (test_fields, test_verification, test_pieces, test_on_an_image,
-                     test_probe_and_surface, test_labels, test_failures, test_killed_ranks):
+                     test_probe_and_surface, test_broken_queries, test_labels, test_failures,
+                     test_killed_ranks):
             test(runs)
     return 0
 

@@ -344,6 +344,45 @@ TEST_F(Labels, RefuseWhatTheyCannotDoInOneLine)
   expectRefused("; solid 'solid 2'");
 }
 
+TEST_F(Labels, ErrorsOfAllSolidsCountInAnyOrder)
+{
+  // Errors of the fields of spheres of other sizes differ.
+  labels->SetVerifySamples(200);
+  labels->SetMethod(Filter::HIERARCHICAL);
+  labels->SetTolerance(0.01);
+  struct Errors
+  {
+    double max, rms, near;
+  };
+  const auto errorsOf = [this](const std::vector<vtkSmartPointer<vtkPolyData>>& parts)
+  {
+    labels->SetInputData(asAssembly(parts));
+    this->made();
+    return Errors{labels->GetMaxError(), labels->GetRMSError(), labels->GetNearMaxError()};
+  };
+  labels->SetUseInputBounds(false);
+  labels->SetSamplingBounds(-1.5, 1.7, -1.6, 1.5, -1.4, 1.5);
+  Errors expected = {};
+  for (const auto& solid : solids)
+  {
+    const Errors own = errorsOf({solid});
+    expected.max = std::max(expected.max, own.max);
+    expected.near = std::max(expected.near, own.near);
+    expected.rms += own.rms * own.rms / static_cast<double>(solids.size());
+  }
+  expected.rms = std::sqrt(expected.rms);
+  EXPECT_GT(expected.rms, 1e-6);
+  std::vector<vtkSmartPointer<vtkPolyData>> parts = solids;
+  for (std::size_t first = 0; first < parts.size(); ++first)
+  {
+    const Errors found = errorsOf(parts);
+    EXPECT_EQ(found.max, expected.max);
+    EXPECT_EQ(found.near, expected.near);
+    EXPECT_NEAR(found.rms, expected.rms, 1e-3 * expected.rms); // samples on the surface are apart
+    std::rotate(parts.begin(), parts.begin() + 1, parts.end());
+  }
+}
+
 TEST_F(Labels, ValuesOfAllSolidsAreVerified)
 {
   labels->SetVerifySamples(50);
