@@ -149,6 +149,13 @@ class ValuesTest(unittest.TestCase):
         self.assertEqual(grid.values.shape, (4, 4, 5))
         np.testing.assert_allclose(grid.spacing, [0.3, 0.3, 0.25])
         np.testing.assert_allclose(grid.origin + grid.spacing * 1.5, [0.5, 0.5, 0.425], atol=0.1)
+        # Each axis has a margin of its own length, as grids by dimensions have.
+        slab = np.array(CORNERS) * (4, 2, 1)
+        for options in ({"spacing": (0.5, 0.3, 0.1)}, {"dimensions": (12, 10, 15)}):
+            grid = field(slab, CUBE, padding=0.25, **options)
+            self.assertEqual(grid.values.shape, (12, 10, 15))
+            np.testing.assert_allclose(grid.spacing, [0.5, 0.3, 0.1])
+            np.testing.assert_allclose(grid.origin, [-1 + 0.25, -0.5 + 0.15, -0.25 + 0.05])
 
     def test_surface(self):
         vertices, faces = surface(CORNERS, CUBE, resolution=20)

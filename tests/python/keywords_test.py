@@ -256,6 +256,63 @@ class KeywordsTest(unittest.TestCase):
         self.assertIn(expected, given, member)
         return 1
 
+    def test_those_of_a_source_reach_the_search_for_nearest_cells_too(self):
+        count = 0
+        for kind, name, function, arguments in self.functions:
+            if "nearest_cells" in inspect.signature(function).parameters and kind == "surface":
+                for keyword in ("mirror", "weld_tolerance", "n_threads"):
+                    with self.subTest(function=name, keyword=keyword):
+                        base = {"nearest_cells": True, keyword: VALUES[keyword]}
+                        if "sample" not in name:
+                            base["resolution"] = 12
+                        notes, _ = self.outcome(function, arguments, base)
+                        notes = [note for note in notes if note[0] == "winding_nearest"]
+                        count += self.check_member(keyword, VALUES[keyword], notes)
+        self.assertEqual(count, 0 if pv is None else 18)
+
+    def bounds_of_grid(self, function, arguments, **options):
+        notes, _ = self.outcome(function, arguments, {"resolution": 12, **options})
+        requests = [dict(values) for name, values in notes if name == "winding_lay_out_grid"]
+        self.assertEqual(len(requests), 1)
+        return np.array(requests[0]["sampling_bounds"])
+
+    def test_grids_hold_what_shapes_reach(self):
+        functions = {name: (function, arguments) for kind, name, function, arguments
+                     in self.functions if kind == "surface"}
+        for name in ("surface", "Field.surface", "mesh.winding.surface"):
+            if name not in functions:
+                continue
+            for options, reach in (
+                    ({}, 0), ({"offset": 0.3}, 0.3), ({"offset": -0.3}, 0), ({"shell": 0.4}, 0),
+                    ({"shell": 0.4, "shell_side": "outward"}, 0.4),
+                    ({"shell": 0.4, "shell_side": "centered"}, 0.2),
+                    ({"shell": 0.4, "shell_side": "centered", "offset": -0.1}, 0.1),
+                    ({"shell": 0.4, "shell_side": "outward", "offset": -0.5}, 0)):
+                with self.subTest(function=name, **options):
+                    np.testing.assert_allclose(
+                        self.bounds_of_grid(*functions[name], **options),
+                        [-reach, 1 + reach] * 3, atol=1e-12)
+
+    def test_grids_of_booleans_hold_what_the_result_reaches(self):
+        points, triangles = cube()
+
+        def solids(**options):
+            return [vtkwinding.Field(points, triangles),
+                    vtkwinding.Field(points + 0.4, triangles, **options)],
+
+        first, both, all_of = [0, 1] * 3, [0.4, 1] * 3, [0, 1.4] * 3
+        for operation, options, expected in (
+                ("union", {}, all_of), ("xor", {}, all_of), ("difference", {}, first),
+                ("intersection", {}, both), ("intersection", {"threshold": 0.49}, first),
+                ("intersection", {"threshold": 0.5}, both),
+                ("intersection", {"threshold": 0.3, "rule": "odd"}, both),
+                ("intersection", {"threshold": 0.3, "rule": "absolute"}, first),
+                ("intersection", {"sheet_side": "down"}, first)):
+            with self.subTest(operation=operation, **options):
+                np.testing.assert_allclose(self.bounds_of_grid(
+                    vtkwinding.boolean, solids(**options), operation=operation), expected,
+                    atol=1e-12)
+
 
 if __name__ == "__main__":
     unittest.main()
