@@ -107,6 +107,24 @@ TEST(Nearest, PointsAloneCountAndImagesStandForThem)
   EXPECT_EQ(at.corners, (std::vector<std::int64_t>{1, 1, 1, 2, 2, 2, 0, 0, 0}));
 }
 
+TEST(Nearest, VerticesThatAreWeldedAreOne)
+{
+  // The second triangle begins 0.01 to the right of the first one, and with it when welded.
+  const std::vector<Point> points = {
+    {-1, 0.5, 0}, {0, 0, 0}, {0, 1, 0}, {0.01, 0, 0}, {0.01, 1, 0}, {1, 0.5, 0}};
+  Mesh mesh{points, {{0, 1, 2}, {3, 5, 4}}};
+  const winding_polygons polygons = polygonsOf(mesh);
+  auto options = with(winding_options_init);
+  for (const double tolerance : {0.0, 0.02})
+  {
+    options.weld_tolerance = tolerance;
+    const Found at = found(points, &polygons, &options, {{0.009, 0.5, 0.1}});
+    EXPECT_EQ(at.nearest[0], 1);
+    EXPECT_EQ(at.corners, (std::vector<std::int64_t>{3, 5, 4}));
+    EXPECT_NEAR(at.weights[1], tolerance > 0 ? 0.009 : 0, 1e-12);
+  }
+}
+
 TEST(Nearest, NothingIsNearToNothing)
 {
   const Found at = found({}, nullptr, nullptr, {{0, 0, 0}});

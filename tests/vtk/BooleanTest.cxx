@@ -261,6 +261,72 @@ TEST_F(Boolean, TakesTheGridThatTheResultNeeds)
   }
 }
 
+TEST_F(Boolean, TakesTheGridOfWhatDoesNotReachBeyondItsSource)
+{
+  const auto a = boxOf(0, 1, 0, 1, 0, 1), b = boxOf(0.5, 3, 0, 1, 0, 1);
+  filter->SetPadding(0);
+  const auto lengthOf = [&]
+  {
+    this->made(a, b, Filter::INTERSECTION);
+    int dimensions[3];
+    double first[3], spacing[3];
+    filter->GetGrid(dimensions, first, spacing);
+    return dimensions[0] * spacing[0];
+  };
+  // The second solid reaches beyond its source with a threshold below 0.5, unless parity counts.
+  for (const auto& [threshold, length] : {std::pair(0.5, 0.5), {0.49, 1.0}, {0.41, 1.0}})
+  {
+    filter->SetOperandThreshold(1, threshold);
+    EXPECT_NEAR(lengthOf(), length, 0.02) << threshold;
+  }
+  filter->SetOperandInsideRule(1, Filter::ODD);
+  EXPECT_NEAR(lengthOf(), 0.5, 0.02);
+  filter->ClearOperandThresholds();
+  filter->ClearOperandInsideRules();
+  EXPECT_NEAR(lengthOf(), 0.5, 0.02);
+  filter->SetSheetSide("down");
+  EXPECT_NEAR(lengthOf(), 3, 0.1) << "both of them reach beyond their sources";
+}
+
+TEST_F(Boolean, TimesAllOperands)
+{
+  // The first one takes longer to prepare, and to evaluate.
+  vtkNew<vtkSphereSource> large;
+  large->SetThetaResolution(500);
+  large->SetPhiResolution(400);
+  large->Update();
+  const auto small = boxOf(0, 0.1, 0, 0.1, 0, 0.1);
+  this->made(small, large->GetOutput(), Filter::UNION);
+  const double seconds = filter->GetPrepareSeconds();
+  EXPECT_GT(seconds, 0);
+  this->made(large->GetOutput(), small, Filter::UNION);
+  EXPECT_GT(filter->GetPrepareSeconds(), 0.2 * seconds);
+}
+
+TEST_F(Boolean, ComparesUnitsOfInputsAndNotOfBlocks)
+{
+  const auto large = boxOf(0, 100, 0, 100, 0, 100), small = boxOf(0.1, 0.2, 0, 0.1, 0, 0.1);
+  filter->SetUseInputBounds(false);
+  filter->SetSamplingBounds(-0.1, 0.3, -0.1, 0.3, -0.1, 0.3);
+  filter->SetResolution(16);
+  ErrorLog ofInputs(filter);
+  filter->SetInputDataObject(0, large);
+  filter->SetInputDataObject(1, small);
+  filter->Update();
+  EXPECT_NE(ofInputs.warnings().find("another unit"), std::string::npos) << ofInputs.warnings();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, large);
+  blocks->SetBlock(1, small);
+  vtkNew<Filter> other;
+  ErrorLog ofBlocks(other);
+  other->SetInputDataObject(blocks);
+  other->SetUseInputBounds(false);
+  other->SetSamplingBounds(-0.1, 0.3, -0.1, 0.3, -0.1, 0.3);
+  other->SetResolution(16);
+  other->Update();
+  EXPECT_EQ(ofBlocks.warnings().find("another unit"), std::string::npos) << ofBlocks.warnings();
+}
+
 TEST_F(Boolean, HasTheSameBitsForBlocksThreadsAndAgain)
 {
   const auto a = sphereAt(0, 1, 140), b = sphereAt(0.7, 0.9);

@@ -21,6 +21,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -352,6 +353,33 @@ TEST(Options, OfAllFiltersArePrintedAndHashed)
     EXPECT_EQ(found.count(property) == 0, ofOthers.count(property) > 0) << property;
   }
   EXPECT_EQ(count, 269u); // measured: of seven filters
+}
+
+TEST(Options, OfOperandsAreHashed)
+{
+  using Set = void (*)(vtkWindingNumberBoolean&);
+  const Set sets[] = {[](vtkWindingNumberBoolean&) {},
+    [](vtkWindingNumberBoolean& filter) { filter.SetOperandThreshold(0, 0.4); },
+    [](vtkWindingNumberBoolean& filter) { filter.SetOperandThreshold(1, 0.4); },
+    [](vtkWindingNumberBoolean& filter) { filter.SetOperandThreshold(1, 0.6); },
+    [](vtkWindingNumberBoolean& filter) { filter.SetOperandInsideRule(0, 1); },
+    [](vtkWindingNumberBoolean& filter) { filter.SetOperandInsideRule(1, 1); },
+    [](vtkWindingNumberBoolean& filter) { filter.SetOperandInsideRule(1, 2); },
+    [](vtkWindingNumberBoolean& filter) { filter.SetInputName(0, "a"); },
+    [](vtkWindingNumberBoolean& filter) { filter.SetInputName(1, "a"); },
+    [](vtkWindingNumberBoolean& filter) { filter.SetInputName(0, "b"); },
+    [](vtkWindingNumberBoolean& filter)
+    {
+      filter.SetOtherName(0, "a");
+    }};
+  std::set<std::uint64_t> hashes;
+  for (const Set& set : sets)
+  {
+    const auto filter = Opened<vtkWindingNumberBoolean>::make();
+    set(*filter);
+    hashes.insert(filter->hash());
+  }
+  EXPECT_EQ(hashes.size(), std::size(sets));
 }
 
 TEST(Options, AreTakenByAFieldThatHasRun)

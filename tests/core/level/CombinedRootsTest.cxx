@@ -177,6 +177,22 @@ TEST(CombinedRoots, LieWhereTheAnswerChanges)
 }
 
 /// An operand twice, and operands that share faces, leave nothing behind.
+TEST(OperandOf, ATriangleIsTheOneOfTwoCornersOrOfTheFirst)
+{
+  const std::vector<std::uint32_t> operands = {0, 1, 2, 0, 1, 2};
+  const auto of = [&operands](std::int64_t a, std::int64_t b, std::int64_t c)
+  {
+    const std::int64_t corners[] = {a, b, c};
+    return winding::operandOf(corners, operands);
+  };
+  EXPECT_EQ(of(0, 3, 1), 0u);
+  EXPECT_EQ(of(0, 1, 3), 0u);
+  EXPECT_EQ(of(1, 0, 3), 0u);
+  EXPECT_EQ(of(2, 1, 4), 1u);
+  EXPECT_EQ(of(0, 1, 2), 0u);
+  EXPECT_EQ(of(2, 0, 1), 2u);
+}
+
 TEST(BooleanEdges, HaveNoSlivers)
 {
   winding::SerialExecutor serial;
