@@ -53,7 +53,8 @@ TEST(Labels, AreOfTheSolidsThatVoxelsAreIn)
   const std::int32_t extent[] = {1, 3, 0, 0, 0, 0};
   options = with(winding_label_options_init);
   options.coverage = WINDING_COVERAGE_FRACTION;
-  std::vector<float> first(3), second(3), leftShares(3), rightShares(3);
+  // Arrays may hold anything before.
+  std::vector<float> first(3, 9), second(3, 9), leftShares(3, 9), rightShares(3, 9);
   std::vector<std::uint16_t> firstLabels(3), secondLabels(3);
   float* const shares[] = {leftShares.data(), rightShares.data()};
   arrays.first_labels = firstLabels.data();
@@ -72,6 +73,34 @@ TEST(Labels, AreOfTheSolidsThatVoxelsAreIn)
   EXPECT_EQ(secondLabels, (Row{300, 0, 0}));
   EXPECT_EQ(leftShares, (std::vector<float>{1, 0, 0}));
   EXPECT_EQ(rightShares, (std::vector<float>{1, 1, 1}));
+}
+
+TEST(Labels, OfNothingHaveSharesOfZero)
+{
+  const Field box = fieldOf(shapes::cube({0, 0, 0}, {2, 1, 1})), nothing = fieldOf(Mesh());
+  const winding_grid grid = {{0.5, 0.5, 0.5}, {1, 1, 1}, {3, 1, 1}};
+  const winding_field* const fields[] = {nothing.get(), box.get()};
+  std::vector<std::uint16_t> labels(3, 9);
+  // Arrays may hold anything before.
+  std::vector<float> ofNothing(3, 9), ofBox(3, 9);
+  float* const shares[] = {ofNothing.data(), ofBox.data()};
+  auto options = with(winding_label_options_init);
+  options.coverage = WINDING_COVERAGE_FRACTION;
+  auto arrays = with(winding_labels_init);
+  arrays.labels = labels.data();
+  arrays.shares = shares;
+  std::vector<float> first(3), second(3);
+  std::vector<std::uint16_t> firstLabels(3), secondLabels(3);
+  arrays.first_labels = firstLabels.data();
+  arrays.first_shares = first.data();
+  arrays.second_labels = secondLabels.data();
+  arrays.second_shares = second.data();
+  ASSERT_EQ(
+    winding_label(fields, nullptr, 2, &grid, nullptr, nullptr, &options, &arrays, nullptr, nullptr),
+    WINDING_OK);
+  EXPECT_EQ(labels, (std::vector<std::uint16_t>{2, 2, 0}));
+  EXPECT_EQ(ofNothing, (std::vector<float>{0, 0, 0}));
+  EXPECT_EQ(ofBox, (std::vector<float>{1, 1, 0}));
 }
 
 TEST(Labels, ThatAreMissingAreTold)
@@ -257,6 +286,24 @@ TEST(Examination, CountsAndAdvises)
   EXPECT_EQ(report.inconsistent_edges, 3);
   ASSERT_FALSE(told.texts.empty());
   EXPECT_NE(told.texts[0].find("orient_faces"), std::string::npos) << told.texts[0];
+}
+
+TEST(Orientation, CountsTrianglesAndComponentsApart)
+{
+  const Mesh inward = shapes::cube().reversed();
+  const Mesh mesh =
+    inward.with(shapes::cube({3, 3, 3}, {4, 4, 4}))
+      .with(inward.mapped([](const Point& p) { return Point(p + Point(9, 0, 0)); }));
+  const winding_polygons polygons = polygonsOf(mesh);
+  std::vector<std::uint8_t> turned(36, 9), leftOut(36, 9);
+  std::int64_t triangles = 0, components = 0;
+  ASSERT_EQ(winding_orient(arrayOf(mesh.points), &polygons, nullptr, turned.data(), leftOut.data(),
+              &triangles, &components, nullptr),
+    WINDING_OK);
+  EXPECT_EQ(triangles, 24);
+  EXPECT_EQ(components, 2);
+  EXPECT_EQ(std::count(turned.begin(), turned.end(), 1), 24);
+  EXPECT_EQ(std::count(leftOut.begin(), leftOut.end(), 0), 36);
 }
 
 TEST(Orientation, TurnsAndLeavesOutPolygons)

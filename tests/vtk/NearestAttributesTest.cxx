@@ -243,6 +243,46 @@ TEST_F(NearestAttributes, AreInterpolatedAtVerticesAndCopiedToFaces)
   }
 }
 
+/// Bytes are colours where they have three or four components, and numbers of something else.
+TEST_F(NearestAttributes, OfBytesAreInterpolatedWhereTheyAreColours)
+{
+  const auto source = sphere();
+  for (int components = 1; components <= 5; ++components)
+  {
+    vtkNew<vtkUnsignedCharArray> bytes;
+    bytes->SetName(("Bytes" + std::to_string(components)).c_str());
+    bytes->SetNumberOfComponents(components);
+    bytes->SetNumberOfTuples(source->GetNumberOfPoints());
+    for (vtkIdType point = 0; point < source->GetNumberOfPoints(); ++point)
+    {
+      for (int component = 0; component < components; ++component)
+      {
+        bytes->SetComponent(point, component, point % 2 == 0 ? 0 : 200);
+      }
+    }
+    source->GetPointData()->AddArray(bytes);
+  }
+  vtkNew<vtkWindingNumberSurface> surface;
+  surface->SetInputData(source);
+  surface->SetResolution(24);
+  surface->TransferAttributesOn();
+  surface->Update();
+  for (int components = 1; components <= 5; ++components)
+  {
+    vtkDataArray* const found = surface->GetOutput()->GetPointData()->GetArray(
+      ("Bytes" + std::to_string(components)).c_str());
+    ASSERT_NE(found, nullptr);
+    vtkIdType between = 0;
+    for (vtkIdType point = 0; point < found->GetNumberOfTuples(); ++point)
+    {
+      const double value = found->GetComponent(point, components - 1);
+      between += value > 0 && value < 200;
+    }
+    EXPECT_EQ(between > found->GetNumberOfTuples() / 2, components == 3 || components == 4);
+    EXPECT_EQ(between == 0, components != 3 && components != 4);
+  }
+}
+
 TEST_F(NearestAttributes, AreNotThereUnlessAskedFor)
 {
   const auto source = sphere();
@@ -648,6 +688,36 @@ TEST(NearestCellsOfFields, AreTheSameAsPointsCellsInPiecesAndOnTurnedImages)
   field->SetResultArrayName("NearestCell");
   field->Update();
   EXPECT_NE(log.errors().find("NearestCell"), std::string::npos) << log.errors();
+}
+
+/// More than a million samples are found a part at a time.
+TEST(NearestCellsOfFields, OfManySamplesAreThoseOfTheirPieces)
+{
+  const auto source = sphere();
+  vtkNew<vtkWindingNumberField> whole, piece;
+  for (vtkWindingNumberField* field : {whole.Get(), piece.Get()})
+  {
+    field->SetInputData(source);
+    field->SetSamplingDimensions(104, 103, 101);
+    field->GenerateWindingNumberOff();
+    field->GenerateInsideOn();
+    field->GenerateNearestCellsOn();
+  }
+  whole->Update();
+  const auto numbersOf = [](vtkWindingNumberField* field)
+  {
+    return vtkIdTypeArray::SafeDownCast(
+      field->GetOutput()->GetPointData()->GetArray("NearestCell"));
+  };
+  vtkIdTypeArray* const all = numbersOf(whole);
+  ASSERT_EQ(all->GetNumberOfValues(), 104 * 103 * 101);
+  const int extent[] = {0, 103, 0, 102, 98, 100};
+  piece->UpdateInformation();
+  piece->UpdateExtent(extent);
+  vtkIdTypeArray* const last = numbersOf(piece);
+  ASSERT_EQ(last->GetNumberOfValues(), 104 * 103 * 3);
+  const vtkIdType* const expected = all->GetPointer(all->GetNumberOfValues() - 104 * 103 * 3);
+  EXPECT_TRUE(std::equal(expected, expected + 104 * 103 * 3, last->GetPointer(0)));
 }
 
 TEST(NearestCellsOfProbes, AreOfPointsCellsAndBlocks)

@@ -157,6 +157,25 @@ TEST_F(Shape, OfAnOpenSheetIsThickenedWithItsRim)
   EXPECT_EQ(this->base(), "source");
 }
 
+/// A sheet has no outside that it could move to: with an offset the surface of its solid moves.
+TEST_F(Shape, OfAnOpenSheetIsThickenedOnlyWhereItLies)
+{
+  filter->SetShell(0.3);
+  filter->SetShellSide(Filter::CENTERED);
+  for (const auto& [offset, base] : {std::pair(0.0, "source"), {0.05, "surface"}, {0.0, "source"}})
+  {
+    filter->SetOffset(offset);
+    this->volumeOf(ball(1, 90));
+    EXPECT_EQ(this->base(), base) << offset;
+  }
+  for (const int side : {Filter::INWARD, Filter::OUTWARD})
+  {
+    filter->SetShellSide(side);
+    this->volumeOf(ball(1, 90));
+    EXPECT_EQ(this->base(), "surface");
+  }
+}
+
 TEST_F(Shape, OfSolidsThatOverlapComesFromWhatBoundsThem)
 {
   filter->SetFeatures(Filter::SHARP);

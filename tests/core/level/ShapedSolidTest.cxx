@@ -283,6 +283,31 @@ TEST(ShapedSolid, MovesFarBeyondItsSource)
   EXPECT_LT(farthest, 0.05);
 }
 
+TEST(ShapedSolid, ExpectsMemoryForEachOfItsSurfaces)
+{
+  const auto field = fieldOf(icosphere(2));
+  constexpr double edges = 1e6;
+  // The source of length 2, with a padding of a tenth, has this share of the grid's.
+  const auto bytes = [&](const SolidShape& shape, double share = 0.91)
+  {
+    const double spacing = 2.2 / share / 20;
+    return ShapedSolid::bytesFor(*field,
+      gridOf(Point::Constant(-9.5 * spacing), Point::Constant(spacing), {20, 20, 20}), shape,
+      edges);
+  };
+  // A shell has two surfaces. A root has its edge, its fraction and its normal.
+  constexpr double perRoot = sizeof(winding::GridEdge) + sizeof(double) + 3 * sizeof(float);
+  EXPECT_EQ(bytes(shapeOf(0)), 0);
+  EXPECT_GT(bytes(shapeOf(0.1)), perRoot * edges);
+  EXPECT_EQ(bytes(shapeOf(0, 0.1)) - bytes(shapeOf(0.1)), perRoot * edges);
+  EXPECT_EQ(bytes(shapeOf(0.1, 0.1)), bytes(shapeOf(0, 0.1)));
+  SolidShape filled = shapeOf(0.1);
+  filled.fillsCavities = true;
+  EXPECT_GT(bytes(filled), bytes(shapeOf(0.1)) + perRoot * edges);
+  // A grid over the source alone, of smaller voxels, is worth its memory below a share of 0.9.
+  EXPECT_GT(bytes(shapeOf(0.1), 0.89), bytes(shapeOf(0.1), 0.91) + perRoot * edges);
+}
+
 TEST(FilledCavities, AreWhatTheBorderDoesNotReach)
 {
   winding::SerialExecutor serial;
