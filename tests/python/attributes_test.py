@@ -67,6 +67,13 @@ def decorated(data, regions="abc"):
     return data
 
 
+def with_strays(data):
+    """Gives cells numbers that have no names, below and above those that have."""
+    numbers = np.arange(data.GetNumberOfCells()) % 7 - 3
+    add(data.GetCellData(), "GroupIds", numbers.astype("i4"))
+    return data
+
+
 def blocks(*parts):
     made = vtkMultiBlockDataSet()
     for number, part in enumerate(parts):
@@ -110,6 +117,8 @@ class AttributesTest(unittest.TestCase):
             "surface": (decorated(sphere()), {}, {}),
             "blocks": (blocks(decorated(sphere()), decorated(sphere(1.7))), {}, {}),
             "regions": (blocks(decorated(sphere()), decorated(sphere(1.7), "xb")), {}, {}),
+            "strays": (
+                blocks(decorated(sphere()), with_strays(decorated(sphere(1.7), "xb"))), {}, {}),
             "cells": (decorated(tetrahedra()), {}, {}),
             "half": (decorated(sphere(0.8)), {"Mirror": "x=0"}, {"mirror": b"x=0"}),
         }
