@@ -261,6 +261,26 @@ TEST(ShapedSolid, NoticesFacesOfWhichAPartIsInside)
   EXPECT_EQ(shapedOf(solid, grid, shapeOf(-0.05), serial).base(), DistanceBase::source);
 }
 
+/// Two voxels of the smallest side are looked at, along whichever axis that is.
+TEST(ShapedSolid, SeesPartsInsideByTheSmallestSideOfVoxels)
+{
+  // The tip of a spike is in the cube by four of these sides, and all else of it is outside.
+  const Mesh spike{{{0.5, 0.45, 0.8}, {0.2, 0.2, 3}, {0.8, 0.2, 3}, {0.5, 0.9, 3}},
+    {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}};
+  winding::SerialExecutor serial;
+  for (int turn = 0; turn < 3; ++turn)
+  {
+    const auto turned = [turn](const Point& p) -> Point
+    {
+      return {p[turn % 3], p[(turn + 1) % 3], p[(turn + 2) % 3]};
+    };
+    const winding::Grid grid =
+      gridOf(Point::Constant(-0.5), turned({1, 1, 0.05}), turned({3, 3, 80}).cast<int>());
+    const SolidOnGrid solid(cube().with(spike).mapped(turned), grid, false, serial);
+    EXPECT_EQ(shapedOf(solid, grid, shapeOf(0.05), serial).base(), DistanceBase::surface) << turn;
+  }
+}
+
 /// The surface to measure from is not lost on a grid of voxels larger than the solid.
 TEST(ShapedSolid, MovesFarBeyondItsSource)
 {
