@@ -1,4 +1,7 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
+
 # Makes a release of the last commit in out/release: sources, Debian packages, wheels, the zip for
 # ParaView, recipes with the hash of the sources, an SBOM, and checksums.
 #

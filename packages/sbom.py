@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Prints the SBOM of a release, in SPDX 2.3 as JSON: its files with their hashes, what the Debian
 packages and wheels need, and the packages whose headers are compiled in.
 

@@ -1,4 +1,7 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
+
 # Packs a package of CPack once more, by dpkg-deb.
 #
 # Usage: finish.sh <package.deb>

@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
+
 # A package for Spack: libwinding, or the VTK module. Spack lacks tinygltf, a need of the program.
 #
 # It was not run. flake8 has nothing to say against it, and tests/packages/recipes_test.py runs it

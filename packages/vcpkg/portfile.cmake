@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
+
 # A port for vcpkg: libwinding, and with the feature vtk filters and program. It was not run; CMake
 # has read it with vcpkg's functions replaced (tests/packages/recipes_test.py). The address is a
 # placeholder, and ./dev release writes a copy with the hash of the archive that it makes. Eigen 5

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Man pages and completions have every command and option of the program's own help, man and mandoc
 have nothing to say against the pages, and each shell that is installed completes what users type.
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Each option of filters/Options.def that the program has changes what comes out, of every command.
 
 An option that is read and not handed on to a filter leaves the output, the exit status, what is

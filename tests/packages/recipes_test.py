@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Recipes of other package managers are whole: their linters have nothing to say, where they are
 installed, and each names this version and options that the build has.
 

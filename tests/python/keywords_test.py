@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+# SPDX-License-Identifier: BSD-3-Clause
 """Each keyword of filters/Options.def reaches the library, from every function that takes it.
 
 All that the library is given is noted down, with the result: a keyword that is not handed on leaves

@@ -1,3 +1,5 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
 #include "private/source/ContentHash.h"
 #include "support/Shapes.h"
 #include "vtk/ErrorLog.h"
