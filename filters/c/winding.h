@@ -53,7 +53,7 @@ extern "C"
   /** Returns the version of the binary interface of the library: WINDING_ABI, or do not use it. */
   WINDING_API int32_t winding_abi(void);
 
-  /** Returns the version of the library, as "0.1.0". */
+  /** Returns the version of the library, as "1.0.0". */
   WINDING_API const char* winding_version(void);
 
   /** How a call ended. */

@@ -6,7 +6,7 @@
 class Libwinding < Formula
   desc "Winding-number fields of surfaces and point clouds, for C"
   homepage "https://archive.invalid"
-  url "https://archive.invalid/winding-0.1.0.tar.gz"
+  url "https://archive.invalid/winding-1.0.0.tar.gz"
   sha256 "0000000000000000000000000000000000000000000000000000000000000000"
   license "BSD-3-Clause"
 

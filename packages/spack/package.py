@@ -16,11 +16,11 @@ class Winding(CMakePackage):
     """Winding-number fields of surfaces and point clouds, in C and for VTK."""
 
     homepage = "https://archive.invalid"
-    url = "https://archive.invalid/winding-0.1.0.tar.gz"
+    url = "https://archive.invalid/winding-1.0.0.tar.gz"
 
     license("BSD-3-Clause")
 
-    version("0.1.0", sha256="0000000000000000000000000000000000000000000000000000000000000000")
+    version("1.0.0", sha256="0000000000000000000000000000000000000000000000000000000000000000")
 
     variant("vtk", default=False, description="Build the VTK module in place of libwinding")
 
