@@ -131,7 +131,7 @@ TEST_F(ExpectedTime, IsWhatTheClockSaysOfTheFirstBlocks)
   {
     executor.setShare(first, last);
     executor.run(
-      blocks, [](std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(5)); });
+      blocks, [](std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(10)); });
   };
   const auto runAll = [&]
   {

@@ -97,19 +97,19 @@ private:
               apply(SamplingDimensions) apply(UseInputBounds) apply(BoundsOverAllTimes)            \
                 apply(SamplingBounds) apply(Padding) apply(OutputAssociation)                      \
                   apply(WindingThreshold) apply(InsideRule) apply(InsideOut) apply(Coverage)       \
-                    apply(CoverageSamples) apply(GenerateWindingNumber) apply(GenerateInside)      \
-                      apply(GenerateSignedDistance) apply(GenerateFraction) apply(DistanceBand)    \
-                        apply(ResultArrayName) apply(InsideArrayName) apply(OutputScalarType)      \
-                          apply(VerifySamples) apply(Features) apply(GenerateTriangles)            \
-                            apply(CloseBorder) apply(FillCavities) apply(Offset) apply(Shell)      \
-                              apply(ShellSide) apply(GenerateNormals) apply(OutputPointsPrecision) \
-                                apply(GenerateDistanceToInput) apply(TransferAttributes)           \
-                                  apply(GenerateNearestCells) apply(GenerateImage)                 \
-                                    apply(FidelitySamples) apply(Operation) apply(MergeTolerance)  \
-                                      apply(MaskOutside) apply(OverlapRule) apply(RegionArray)     \
-                                        apply(LabelOffset) apply(GenerateSolidCount)               \
-                                          apply(CoverageArrays) apply(ProbeAssociation)            \
-                                            apply(ExtractInside)
+                    apply(CoverageSamples) apply(UnionOverAllTimes) apply(GenerateWindingNumber)   \
+                      apply(GenerateInside) apply(GenerateSignedDistance) apply(GenerateFraction)  \
+                        apply(DistanceBand) apply(ResultArrayName) apply(InsideArrayName)          \
+                          apply(OutputScalarType) apply(VerifySamples) apply(Features)             \
+                            apply(GenerateTriangles) apply(CloseBorder) apply(FillCavities)        \
+                              apply(Offset) apply(Shell) apply(ShellSide) apply(GenerateNormals)   \
+                                apply(OutputPointsPrecision) apply(GenerateDistanceToInput)        \
+                                  apply(TransferAttributes) apply(GenerateNearestCells)            \
+                                    apply(GenerateImage) apply(FidelitySamples) apply(Operation)   \
+                                      apply(MergeTolerance) apply(MaskOutside) apply(OverlapRule)  \
+                                        apply(RegionArray) apply(LabelOffset)                      \
+                                          apply(GenerateSolidCount) apply(CoverageArrays)          \
+                                            apply(ProbeAssociation) apply(ExtractInside)
 PROPERTIES(PROPERTY)
 
 /// An option as the list has it.
