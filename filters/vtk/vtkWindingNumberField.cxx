@@ -41,12 +41,6 @@ void vtkWindingNumberField::CheckProperties()
   this->Superclass::CheckProperties();
   winding::checkProperty(winding::Parameter::outputScalarType, this->OutputScalarType);
   winding::checkProperty(winding::Parameter::distanceBand, this->DistanceBand);
-  if (this->GenerateNearestCells && this->UnionOverAllTimes)
-  {
-    throw winding::Refusal(winding::Message("nearest cells belong to one time of the input",
-      {{"", {{winding::Parameter::generateNearestCells, 0}}},
-        {"", {{winding::Parameter::unionOverAllTimes, 0}}}}));
-  }
   if (this->GenerateNearestCells)
   {
     winding::refuseNearestOfOtherRanks(
@@ -85,6 +79,16 @@ void vtkWindingNumberField::MakeImage(vtkDataObject* source, const winding::Exte
   this->AddNearestCells(source, samples, attributes);
   this->DescribeMethod(image);
   this->Verify(field, samples, results.values());
+}
+
+void vtkWindingNumberField::CheckUnion() const
+{
+  if (this->GenerateNearestCells)
+  {
+    throw winding::Refusal(winding::Message("nearest cells belong to one time of the input",
+      {{"", {{winding::Parameter::generateNearestCells, 0}}},
+        {"", {{winding::Parameter::unionOverAllTimes, 0}}}}));
+  }
 }
 
 void vtkWindingNumberField::UniteTimes(vtkDataSetAttributes* all, vtkDataSetAttributes* other)

@@ -150,6 +150,7 @@ protected:
   int GetActiveScalarType() const override;
   void MakeImage(vtkDataObject* source, const std::array<int, 6>& samples, vtkImageData* image,
     vtkDataSetAttributes* attributes) override;
+  void CheckUnion() const override;
   void UniteTimes(vtkDataSetAttributes* all, vtkDataSetAttributes* other) override;
   bool WantsDistances() const override { return this->GenerateSignedDistance != 0; }
   double GetDistanceLimit() const override;

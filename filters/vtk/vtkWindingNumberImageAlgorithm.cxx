@@ -315,6 +315,7 @@ bool vtkWindingNumberImageAlgorithm::MakeUnion(
   return this->ForEachTime(outInfo,
     [&](std::size_t number, std::size_t count)
     {
+      this->CheckUnion();
       const auto share = 1 / static_cast<double>(count);
       this->SetProgressShiftScale(static_cast<double>(number) * share, share);
       vtkNew<vtkImageData> part;

@@ -158,6 +158,9 @@ protected:
   virtual void MakeImage(vtkDataObject* source, const std::array<int, 6>& samples,
     vtkImageData* image, vtkDataSetAttributes* attributes) = 0;
 
+  /// Throws a refusal for arrays that a union of times cannot have.
+  virtual void CheckUnion() const {}
+
   /// Takes `other`, the arrays of another time, into `all`, the arrays of earlier times.
   virtual void UniteTimes(vtkDataSetAttributes* all, vtkDataSetAttributes* other) = 0;
 

@@ -174,8 +174,7 @@ class GridAlgorithm(SourceAlgorithm):
         if not (self.values["UseInputBounds"] and is_asked and times):
             self._bounds_of_times = (None, None)
             return
-        _, options = self.key_of(None)
-        key = (key, options)
+        key = (key, *self.key_of(None)[1:])
         if self._bounds_of_times[0] == key:
             return
         boxes = [self.bounds_of_source(self.source(), ranks)
@@ -292,6 +291,9 @@ class ImageAlgorithm(GridAlgorithm):
         """Fills an image with the samples of an extent."""
         raise NotImplementedError
 
+    def check_union(self):
+        """Refuses arrays that a union of times cannot have."""
+
     def unite_times(self, all_arrays, others):
         """Makes arrays of earlier times those of these and of another time."""
         raise NotImplementedError
@@ -310,6 +312,7 @@ class ImageAlgorithm(GridAlgorithm):
             return False
         with self.distinct_warnings():
             for number, _ in enumerate(self.for_each_time(out_info)):
+                self.check_union()
                 self.take_turn(number, count)
                 part = vtkImageData()
                 part.CopyStructure(image)
@@ -534,9 +537,8 @@ class WindingNumberField(ImageAlgorithm):
             return VTK_UNSIGNED_CHAR
         return self.values["OutputScalarType"]
 
-    def check(self):
-        super().check()
-        if self.value("GenerateNearestCells") and self.is_of_all_times():
+    def check_union(self):
+        if self.value("GenerateNearestCells"):
             raise WindingError("nearest cells belong to one time of the input: use Generate Nearest "
                                "Cells off, or use Union Over All Times off")
 
