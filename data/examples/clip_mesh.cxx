@@ -45,7 +45,7 @@ int main(int argc, char* argv[])
   clip->InsideOutOn(); // keeps what is inside
   clip->Update();
   const vtkIdType kept = clip->GetOutput()->GetNumberOfCells();
-  std::cout << kept << " cells inside, of " << mesh->GetOutput()->GetNumberOfCells() << "\n";
+  std::cout << mesh->GetOutput()->GetNumberOfCells() << " cells, clipped to " << kept << "\n";
   if (kept == 0)
   {
     return EXIT_FAILURE;
