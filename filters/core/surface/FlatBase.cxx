@@ -77,17 +77,20 @@ std::vector<char> rimsToClose(
 std::vector<Message> notesOn(const BasedOpenings& openings)
 {
   std::vector<Message> notes;
-  const std::string left =
-    std::to_string(openings.left) + (openings.left == 1 ? " opening" : " openings");
+  const bool isOne = openings.left == 1;
+  const std::string left = std::to_string(openings.left) + (isOne ? " opening" : " openings");
   if (openings.closed == 0)
   {
     notes.emplace_back(Message(Parameter::flatBase, "closes nothing: no opening faces it"));
-    notes.back().facts = openings.left == 0 ? "the surface has none" : left + " do not";
+    notes.back().facts =
+      openings.left == 0 ? "the surface has none" : left + (isOne ? " does not" : " do not");
   }
   else if (openings.left > 0)
   {
-    notes.emplace_back(Message(Parameter::flatBase, "leaves " + left + " as they are"));
-    notes.back().facts = "these face another side, or are small";
+    notes.emplace_back(
+      Message(Parameter::flatBase, "leaves " + left + (isOne ? " as it is" : " as they are")));
+    notes.back().facts =
+      isOne ? "it faces another side, or is small" : "these face another side, or are small";
   }
   if (openings.closed > 0 && openings.cutsSurface)
   {

@@ -658,7 +658,7 @@ TEST(FlatBase, SaysWhatItLeavesAndCuts)
     const auto field = fieldOf(mesh, options);
     for (const winding::Message& message : field->info().warnings)
     {
-      all += message.fault + "; ";
+      all += message.fault + "; " + message.facts + "; ";
     }
     return all;
   };
@@ -666,9 +666,11 @@ TEST(FlatBase, SaysWhatItLeavesAndCuts)
   Mesh holed;
   holed.points = dome.points;
   holed.triangles.assign(dome.triangles.begin() + 1, dome.triangles.end());
-  EXPECT_NE(warningsOf(holed, "down").find("leaves 1 opening as they are"), std::string::npos);
+  EXPECT_NE(
+    warningsOf(holed, "down").find("leaves 1 opening as it is; it faces"), std::string::npos);
   EXPECT_NE(warningsOf(dome, "z=0").find("cuts the surface"), std::string::npos);
-  EXPECT_NE(warningsOf(dome, "up").find("closes nothing"), std::string::npos);
+  EXPECT_NE(warningsOf(dome, "up").find("closes nothing: no opening faces it; 1 opening does not"),
+    std::string::npos);
   EXPECT_EQ(warningsOf(dome, "down"), "");
 }
 
