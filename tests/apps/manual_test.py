@@ -153,7 +153,8 @@ class Shell:
     def setUpClass(cls):
         cls.folder = pathlib.Path(tempfile.mkdtemp())
         cls.addClassCleanup(shutil.rmtree, cls.folder, True)
-        for name in ("scan.obj", "packed scan.off.gz", "notes.txt", "result.stl", "table.csv"):
+        for name in ("scan.obj", "packed scan.off.gz", "notes.txt", "result.stl", "table.csv",
+                     "head.mhd", "ct.nhdr"):
             (cls.folder / name).touch()
         (cls.folder / "meshes").mkdir()
         cls.start()
@@ -186,6 +187,7 @@ class Shell:
         self.check("winding check ", sources, ["notes.txt"])
         self.check("winding surface -o ", ["result.stl", "meshes"], ["table.csv", "notes.txt"])
         self.check("winding surface --output=res", ["result.stl"])
+        self.check("winding field --like ", ["head.mhd", "ct.nhdr"], ["result.stl"])
 
 
 class TerminalShell(Shell):

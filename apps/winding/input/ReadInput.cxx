@@ -130,8 +130,8 @@ PlacedImage readPlace(const std::string& fileName, Messages& messages)
   }
   if (suffix != ".vti")
   {
-    throw Failure(
-      EXIT_REFUSED, fileName, "is no image to lie on; give one of .vti .mha .nrrd .nii .nii.gz");
+    throw Failure(EXIT_REFUSED, fileName,
+      "is no image to lie on; give one of .vti .mha .mhd .nrrd .nhdr .nii .nii.gz");
   }
   const auto read = readByVtk(fileName, *vtkFormatOf(suffix), messages);
   PlacedImage place;

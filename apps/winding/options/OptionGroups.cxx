@@ -39,9 +39,8 @@ void addGrid(CLI::App* command, Options& options)
   {
     command
       ->add_option("--like", options.like,
-        "Lie on this image: its voxels, origin, spacing and directions; .vti or a medical image, "
-        "of "
-        "which only the header is read: .mha .nrrd .nii .nii.gz")
+        "Lie on this image: its voxels, origin, spacing and directions; .vti, or the header of a "
+        "medical image: .mha .mhd .nrrd .nhdr .nii .nii.gz")
       ->type_name("IMAGE")
       ->group(group)
       ->excludes(resolution)
