@@ -12,6 +12,7 @@
  * whole has. The whole source is read for each. The grid is laid when the pipeline's information is
  * asked for, over the source as it is then. At other time steps the grid keeps its dimensions, so
  * that pieces fit together, and its origin and spacing follow the source.
+ *
  * **Like.** With an image on port 1 the result has the extent, origin, spacing and direction matrix
  * of this image. Properties of the grid count for nothing then. The filter uses the pipeline's
  * information on the image, and needs no data of it. Images that are turned or mirrored take no
