@@ -61,8 +61,9 @@ def make(library, platform, folder, licences=()):
     """Writes the zip into a folder, and returns its path."""
     path = pathlib.Path(folder, f"WindingNumbers-{version()}-ParaView-{platform}.zip")
     path.parent.mkdir(parents=True, exist_ok=True)
+    found = list(contents(library, licences))  # a file that is not there leaves no half of a zip
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, content in contents(library, licences):
+        for name, content in found:
             # Without the hour, so that the same files make the same zip.
             entry = zipfile.ZipInfo(f"WindingNumbers/{name}", (1980, 1, 1, 0, 0, 0))
             entry.compress_type = zipfile.ZIP_DEFLATED

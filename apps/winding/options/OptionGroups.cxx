@@ -29,7 +29,7 @@ void addGrid(CLI::App* command, Options& options)
   CLI::Option* cells = command->add_flag("--cells", options.cells,
     command->get_name() == "field" || command->get_name() == "labels"
       ? "Make the samples cells of the image, not points"
-      : "As for field; makes no difference to the surface");
+      : "As for field; makes no difference here");
   dimensions->expected(3)->type_name("NX NY NZ");
   bounds->expected(6)->type_name("X0 X1 Y0 Y1 Z0 Z1");
   resolution->excludes(voxelSize)->excludes(dimensions);
