@@ -111,6 +111,18 @@ std::string endedSentence(const std::string& text)
   return last.empty() || last.front() == '.' || last.back() == '.' ? text : text + ".";
 }
 
+/// Returns the beginning of what follows a text: a new sentence, or behind a suffix of files, which
+/// has no full stop, more of the same one.
+std::string next(const std::string& text, std::string beginning)
+{
+  if (!text.empty() && text.back() != '.')
+  {
+    beginning[0] = static_cast<char>(beginning[0] - 'A' + 'a');
+    return "; " + beginning;
+  }
+  return " " + beginning;
+}
+
 /// Returns an item of a list: an option or an argument with its help.
 std::string itemOf(const OptionEntry& option)
 {
@@ -127,11 +139,11 @@ std::string itemOf(const OptionEntry& option)
   }
   if (!option.excluded.empty())
   {
-    help += " Not together with " + joined(option.excluded, "or") + ".";
+    help += next(help, "Not together with ") + joined(option.excluded, "or") + ".";
   }
   if (!option.needed.empty())
   {
-    help += " Needs " + joined(option.needed, "and") + ".";
+    help += next(help, "Needs ") + joined(option.needed, "and") + ".";
   }
   return ".TP\n" + names + "\n" + paragraph(help);
 }
@@ -183,6 +195,16 @@ std::string exitStatusItem(ExitStatus status, const std::string& meaning)
   return ".TP\n" + std::to_string(status) + "\n" + paragraph(meaning);
 }
 
+/// Returns the section of exit statuses, which are the same for all commands.
+std::string exitStatuses()
+{
+  return ".SH EXIT STATUS\n" + exitStatusItem(EXIT_DONE, "All is done.") +
+         exitStatusItem(EXIT_USAGE, "The command line makes no sense.") +
+         exitStatusItem(EXIT_REFUSED, "A file cannot be read, worked with or written.") +
+         exitStatusItem(EXIT_NO_MEMORY, "The result does not fit into memory.") +
+         exitStatusItem(EXIT_INTERRUPTED, "The program was interrupted.");
+}
+
 } // namespace
 
 std::string manPageOfProgram(
@@ -199,11 +221,7 @@ std::string manPageOfProgram(
             reference("winding-" + command.name, ".");
   }
   page += optionSections(program.options);
-  page += ".SH EXIT STATUS\n" + exitStatusItem(EXIT_DONE, "All is done.") +
-          exitStatusItem(EXIT_USAGE, "The command line makes no sense.") +
-          exitStatusItem(EXIT_REFUSED, "A file cannot be read, worked with or written.") +
-          exitStatusItem(EXIT_NO_MEMORY, "The result does not fit into memory.") +
-          exitStatusItem(EXIT_INTERRUPTED, "The program was interrupted.");
+  page += exitStatuses();
   page += ".SH SEE ALSO\n";
   for (const CommandEntry& command : program.commands)
   {
@@ -234,6 +252,6 @@ std::string manPageOfCommand(
   page += ".SH SYNOPSIS\n.B winding " + command.name + "\n" + required + ".RI [ option ...]\n";
   page += ".SH DESCRIPTION\n" + paragraph(endedSentence(command.help)) + arguments +
           optionSections(command.options);
-  page += ".SH SEE ALSO\n" + reference("winding", "");
+  page += exitStatuses() + ".SH SEE ALSO\n" + reference("winding", "");
   return page;
 }

@@ -62,6 +62,13 @@ template <class Struct> Struct known(const Struct* from, Struct defaults)
   return defaults;
 }
 
+/// Returns an element of a caller's array of structs, which are as large as the first one says.
+template <class Struct> const Struct* elementOf(const Struct* array, std::size_t number)
+{
+  const auto* const bytes = reinterpret_cast<const char*>(array);
+  return reinterpret_cast<const Struct*>(bytes + number * array->size);
+}
+
 /// Writes as much of a struct as the caller has room for, whose size stays.
 template <class Struct> void give(Struct from, Struct& to)
 {

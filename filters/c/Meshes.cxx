@@ -389,7 +389,7 @@ winding_status winding_boolean(const winding_field* const* fields, size_t count,
       for (std::size_t i = 0; i < count; ++i)
       {
         required(first[i], "fields[i]");
-        inside[i] = rules ? known(rules + i, defaultRule()) : inside[i];
+        inside[i] = rules ? known(elementOf(rules, i), defaultRule()) : inside[i];
       }
       Call call(run);
       giveHandle(*mesh,

@@ -705,7 +705,8 @@ extern "C"
    * @param count of solids, 2 or more
    * @param operation a winding_operation
    * @param grid the samples
-   * @param rules the rule for what is inside of each; null for the defaults
+   * @param rules the rule for what is inside of each, all with the size of the first; null for the
+   *   defaults
    * @param options null for the defaults; offset, shell and fill_cavities are 0
    * @param run null for the defaults
    * @param mesh receives the surface, or null; winding_mesh_free() gives it back

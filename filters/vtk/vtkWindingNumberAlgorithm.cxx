@@ -452,7 +452,7 @@ void vtkWindingNumberAlgorithm::Evaluate(const winding::Field& field, vtkIdType 
     if (elapsed >= nextLook)
     {
       nextLook = 2 * elapsed;
-      look(std::max(before + expected * pieces, least));
+      look(std::max(before + expected * pieces * this->RunsLeft, least));
     }
   };
   {

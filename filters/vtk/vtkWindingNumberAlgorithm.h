@@ -173,8 +173,8 @@ public:
     REFUSED = 1,       ///< input or properties cannot be worked with; an error was reported
     OUT_OF_MEMORY = 2, ///< the result does not fit into memory; an error was reported
     ABORTED = 3,       ///< AbortExecute was set; the output is empty
-    NOT_RUN = 4        ///< nothing was executed since the pipeline changed, as before the first
-                       ///< update, or where a reader upstream has failed
+    NOT_RUN = 4        ///< no execution has followed what the pipeline asked last: nothing was
+                       ///< asked, information alone, or a reader upstream has failed
   };
 
   /// Sets the input of port 0 without a pipeline.
@@ -651,6 +651,7 @@ protected:
   vtkIdType ExpectedMemory = 0;
   std::string ExpectedMemoryInWords;
   double EarlierSeconds = 0; ///< taken by sources before this one in the same execution
+  double RunsLeft = 1;       ///< how often the execution does this work yet, this time included
   double TakenSeconds = 0;   ///< from the first source on, as for the whole result in one piece
 
   /// The coordinates of fields and samples: the space's, unless a filter works in an image's.

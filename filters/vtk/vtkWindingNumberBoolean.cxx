@@ -14,6 +14,7 @@
 #include "private/pipeline/FreeMemory.h"
 #include "private/pipeline/Ranks.h"
 #include "private/pipeline/SmpExecutor.h"
+#include "private/pipeline/Temporarily.h"
 #include "private/source/ContentHash.h"
 #include "private/source/NamedBlocks.h"
 #include "private/source/SourceProperties.h"
@@ -50,24 +51,6 @@ static_assert(isNumber(winding::BooleanOperation::unite, Filter::UNION));
 static_assert(isNumber(winding::BooleanOperation::intersect, Filter::INTERSECTION));
 static_assert(isNumber(winding::BooleanOperation::subtract, Filter::DIFFERENCE));
 static_assert(isNumber(winding::BooleanOperation::exclude, Filter::SYMMETRIC_DIFFERENCE));
-
-/// Sets a variable until the end of a block.
-template <class Value> class Temporarily
-{
-public:
-  Temporarily(Value& variable, Value value)
-    : variable_(variable)
-    , before_(std::exchange(variable, value))
-  {
-  }
-  ~Temporarily() { variable_ = before_; }
-  Temporarily(const Temporarily&) = delete;
-  Temporarily& operator=(const Temporarily&) = delete;
-
-private:
-  Value& variable_;
-  Value before_;
-};
 
 } // namespace
 
@@ -357,8 +340,9 @@ int vtkWindingNumberBoolean::RequestData(
   {
     const std::string name = blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME());
     const int number = static_cast<int>(i);
-    const Temporarily<double> threshold(this->WindingThreshold, this->GetOperandThreshold(number));
-    const Temporarily<int> rule(this->InsideRule, this->GetOperandInsideRule(number));
+    const winding::Temporarily<double> threshold(
+      this->WindingThreshold, this->GetOperandThreshold(number));
+    const winding::Temporarily<int> rule(this->InsideRule, this->GetOperandInsideRule(number));
     this->ChooseSource(i, name);
     this->SetProgressShiftScale(static_cast<double>(i) / (count + 1), 1.0 / (count + 1));
     operands.push_back(this->MakeOperand(blocks->GetBlock(i), name));

@@ -91,12 +91,12 @@ void vtkWindingNumberField::CheckUnion() const
   }
 }
 
-void vtkWindingNumberField::UniteTimes(vtkDataSetAttributes* all, vtkDataSetAttributes* other)
+void vtkWindingNumberField::UniteTimes(vtkImageData* all, vtkImageData* other)
 {
   const std::string name = winding::textOf(this->ResultArrayName);
-  this->NumberOfInsideSamples =
-    winding::uniteResults(all, other, name.empty() ? "WindingNumber" : name,
-      winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
+  this->NumberOfInsideSamples = winding::uniteResults(this->GetAttributes(all),
+    this->GetAttributes(other), name.empty() ? "WindingNumber" : name,
+    winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
 }
 
 winding::ResultOptions vtkWindingNumberField::GetResultOptions() const

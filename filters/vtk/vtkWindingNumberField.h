@@ -151,7 +151,7 @@ protected:
   void MakeImage(vtkDataObject* source, const std::array<int, 6>& samples, vtkImageData* image,
     vtkDataSetAttributes* attributes) override;
   void CheckUnion() const override;
-  void UniteTimes(vtkDataSetAttributes* all, vtkDataSetAttributes* other) override;
+  void UniteTimes(vtkImageData* all, vtkImageData* other) override;
   bool WantsDistances() const override { return this->GenerateSignedDistance != 0; }
   double GetDistanceLimit() const override;
   double GetResultBytes(vtkIdType samples) const override;

@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <exception>
 #include <optional>
 #include <set>
 
@@ -178,7 +179,8 @@ void vtkWindingNumberGridAlgorithm::UpdateConnection(
 struct vtkWindingNumberGridAlgorithm::Times
 {
   std::set<double> steps;
-  double current = 0; ///< the time of the first source that has times, or its first one
+  double current = 0;        ///< the time of the first source that has times, or its first one
+  bool isContinuous = false; ///< whether a source has a range of times without steps
   winding::ContentHash hash;
 };
 
@@ -194,6 +196,8 @@ vtkWindingNumberGridAlgorithm::Times vtkWindingNumberGridAlgorithm::GetTimes()
     const int count = produced->Length(Pipeline::TIME_STEPS());
     const double* const first = count > 0 ? produced->Get(Pipeline::TIME_STEPS()) : nullptr;
     times.steps.insert(first, first + count);
+    times.isContinuous =
+      times.isContinuous || (count == 0 && produced->Has(Pipeline::TIME_RANGE()));
     moving = moving || count == 0 ? moving : produced;
     times.hash.addValue(reinterpret_cast<std::uintptr_t>(producer));
     times.hash.addValue(
@@ -214,16 +218,47 @@ void vtkWindingNumberGridAlgorithm::Visit(
   const Times& times, vtkInformation* outInfo, const std::function<void()>& work)
 {
   vtkNew<vtkInformation> request;
-  for (const double step : times.steps)
+  std::exception_ptr failure;
+  try
   {
-    request->Set(Pipeline::UPDATE_TIME_STEP(), step);
-    this->UpdateSource(request);
-    work();
+    for (const double step : times.steps)
+    {
+      request->Set(Pipeline::UPDATE_TIME_STEP(), step);
+      this->UpdateSource(request);
+      work();
+    }
   }
+  catch (...)
+  {
+    failure = std::current_exception();
+  }
+  // Whoever asks next finds the source at its time, even after a failure, which is reported first.
   request->Set(Pipeline::UPDATE_TIME_STEP(), outInfo->Has(Pipeline::UPDATE_TIME_STEP())
                                                ? outInfo->Get(Pipeline::UPDATE_TIME_STEP())
                                                : times.current);
-  this->UpdateSource(request);
+  try
+  {
+    this->UpdateSource(request);
+  }
+  catch (const winding::Refusal&)
+  {
+    failure = failure ? failure : std::current_exception();
+  }
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
+}
+
+bool vtkWindingNumberGridAlgorithm::HasTimeSteps()
+{
+  const Times times = this->GetTimes();
+  if (times.isContinuous)
+  {
+    throw winding::Refusal(winding::Message("the input has a range of times, but no steps",
+      {{"give it steps", {}}, {"", {{winding::Parameter::unionOverAllTimes, 0}}}}));
+  }
+  return !times.steps.empty();
 }
 
 bool vtkWindingNumberGridAlgorithm::ForEachTime(

@@ -175,6 +175,9 @@ protected:
   bool ForEachTime(vtkInformation* outInfo,
     const std::function<void(std::size_t number, std::size_t count)>& work);
 
+  /// Returns whether the source has steps of time. Throws a refusal where it has a range alone.
+  bool HasTimeSteps();
+
   /// Returns whether the result is one of all times: no, unless a filter says otherwise.
   virtual bool IsOfAllTimes() const { return false; }
 

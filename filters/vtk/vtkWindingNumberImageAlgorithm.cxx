@@ -6,6 +6,7 @@
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
 #include "private/pipeline/DistinctWarnings.h"
+#include "private/pipeline/Temporarily.h"
 #include "private/source/ContentHash.h"
 #include "private/source/ImageGrid.h"
 #include "voxels/VoxelEvaluation.h"
@@ -188,7 +189,7 @@ int vtkWindingNumberImageAlgorithm::RequestInformation(
   outInfo->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
   this->TellGrid(outInfo);
   outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
-  if (this->UnionOverAllTimes)
+  if (this->UnionOverAllTimes && this->HasTimeSteps())
   {
     outInfo->Remove(Pipeline::TIME_STEPS());
     outInfo->Remove(Pipeline::TIME_RANGE());
@@ -299,7 +300,6 @@ int vtkWindingNumberImageAlgorithm::RequestData(
   return 1;
 }
 
-/// Returns the attributes of an image that get the arrays.
 vtkDataSetAttributes* vtkWindingNumberImageAlgorithm::GetAttributes(vtkImageData* image) const
 {
   return image->GetAttributes(
@@ -311,26 +311,29 @@ vtkDataSetAttributes* vtkWindingNumberImageAlgorithm::GetAttributes(vtkImageData
 bool vtkWindingNumberImageAlgorithm::MakeUnion(
   vtkInformation* outInfo, const winding::Extent& samples, vtkImageData* image)
 {
-  const winding::DistinctWarnings warnings(this);
+  const winding::Temporarily<double> runsLeft(this->RunsLeft, 1), earlier(this->EarlierSeconds, 0);
+  winding::DistinctWarnings warnings(this);
   return this->ForEachTime(outInfo,
     [&](std::size_t number, std::size_t count)
     {
       this->CheckUnion();
+      warnings.begin();
       const auto share = 1 / static_cast<double>(count);
       this->SetProgressShiftScale(static_cast<double>(number) * share, share);
+      this->RunsLeft = static_cast<double>(count - number);
       vtkNew<vtkImageData> part;
       part->CopyStructure(image);
       this->CheckSource(this->GetSource());
       this->MakeImage(this->GetSource(), samples, part, this->GetAttributes(part));
+      this->EarlierSeconds += this->PrepareSeconds + this->EvaluateSeconds;
       if (number == 0)
       {
-        this->GetAttributes(image)->ShallowCopy(this->GetAttributes(part));
+        image->ShallowCopy(part);
       }
       else
       {
-        this->UniteTimes(this->GetAttributes(image), this->GetAttributes(part));
+        this->UniteTimes(image, part);
       }
-      image->GetFieldData()->ShallowCopy(part->GetFieldData());
     });
 }
 

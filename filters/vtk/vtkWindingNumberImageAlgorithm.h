@@ -111,11 +111,23 @@ public:
   ///@}
 
   ///@{
-  /// Whether the result is the union over all times of the source: the volume that it sweeps. A
-  /// sample is inside where it is at any time. The grid lies over the bounds of all times, unless
-  /// it is given, and the output has no times. Facts about the execution are about the last time,
-  /// and warnings that times share come once. The source is brought up to date for each time, and
-  /// again for each piece of the image. Default off.
+  /**
+   * Whether the result is the union over all steps of time of the source: the volume that it
+   * sweeps. The grid lies over the bounds of all times, unless it is given, and the output has no
+   * times. Sources with a range of times without steps are refused.
+   *
+   * A sample is inside where it is at any time. It has w of the time at which it is farthest inside
+   * by the rule, so that the contour of w bounds the union. Distances are the least:
+   * exact outside, and inside at most as far as the surface of the union is. "Coverage" is the
+   * largest share of any time, which is less than what the sweep covers. A voxel keeps the label of
+   * the first time at which it has one; each label's share and the counts of solids are the
+   * largest, and the two largest shares come from the time with the largest first one. Solids have
+   * to be the same at all times at which there are any. Nearest cells are refused.
+   *
+   * Facts about the execution, of its verification too, are about the last time. Warnings come at
+   * the end, and say at how many of the times. The source is brought up to date for each time, for
+   * each piece of the image, and at the end for its own time. Default off.
+   */
   vtkSetMacro(UnionOverAllTimes, vtkTypeBool);
   vtkGetMacro(UnionOverAllTimes, vtkTypeBool);
   vtkBooleanMacro(UnionOverAllTimes, vtkTypeBool);
@@ -162,8 +174,11 @@ protected:
   /// Throws a refusal for arrays that a union of times cannot have.
   virtual void CheckUnion() const {}
 
-  /// Takes `other`, the arrays of another time, into `all`, the arrays of earlier times.
-  virtual void UniteTimes(vtkDataSetAttributes* all, vtkDataSetAttributes* other) = 0;
+  /// Takes the arrays of another time into `all`, which has earlier times. May throw a Refusal.
+  virtual void UniteTimes(vtkImageData* all, vtkImageData* other) = 0;
+
+  /// Returns the attributes of an image that get the arrays.
+  vtkDataSetAttributes* GetAttributes(vtkImageData* image) const;
 
   /// How voxels are evaluated, by Coverage; what they are written to is left to the caller.
   winding::VoxelEvaluation GetVoxelEvaluation() const;
@@ -175,7 +190,6 @@ protected:
 
 private:
   bool MakeUnion(vtkInformation* outInfo, const std::array<int, 6>& samples, vtkImageData* image);
-  vtkDataSetAttributes* GetAttributes(vtkImageData* image) const;
   void LayOver(vtkInformation* outInfo);
   void LookAtLike(vtkInformationVector* like);
   void CheckLike(vtkImageData* image) const;

@@ -306,9 +306,23 @@ void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const winding::Ext
   this->WarnOfSolids(solids);
 }
 
-void vtkWindingNumberLabels::UniteTimes(vtkDataSetAttributes* all, vtkDataSetAttributes* other)
+void vtkWindingNumberLabels::UniteTimes(vtkImageData* all, vtkImageData* other)
 {
-  winding::uniteLabels(all, other);
+  const std::string legend = winding::legendOf(other), known = winding::legendOf(all);
+  this->LabelLegend = known.empty() ? legend : known;
+  if (known.empty())
+  {
+    all->ShallowCopy(other);
+  }
+  else if (legend == known)
+  {
+    winding::uniteLabels(this->GetAttributes(all), this->GetAttributes(other));
+  }
+  else if (!legend.empty())
+  {
+    throw winding::Refusal(winding::Message("the solids are others at another time of the input",
+      {{"", {{winding::Parameter::unionOverAllTimes, 0}}}}, "labels name one solid at all times"));
+  }
 }
 
 void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding::LabelImage& labels)
@@ -324,7 +338,7 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
   winding::SolidEvaluation evaluation(this->GetEvaluationOptions());
   double prepareSeconds = 0, evaluateSeconds = 0;
   vtkIdType memory = 0;
-  this->EarlierSeconds = 0;
+  const double earlierSeconds = this->EarlierSeconds;
   const auto all = static_cast<double>(solids.size());
   const double shift = this->GetProgressShift(), scale = this->GetProgressScale();
   // The loop is collective: each solid is built of the parts of all ranks, in the same order.
@@ -373,12 +387,11 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
   this->PrepareSeconds = prepareSeconds;
   this->EvaluateSeconds = evaluateSeconds;
   this->ExpectedMemory = memory;
-  this->EarlierSeconds = 0;
+  this->EarlierSeconds = earlierSeconds;
 }
 
 void vtkWindingNumberLabels::DescribeSolids(const winding::Solids& solids, vtkImageData* image)
 {
-  this->LabelLegend.clear();
   vtkNew<vtkUnsignedShortArray> values;
   vtkNew<vtkStringArray> names;
   values->SetName("LabelValues");
@@ -387,10 +400,10 @@ void vtkWindingNumberLabels::DescribeSolids(const winding::Solids& solids, vtkIm
   {
     values->InsertNextValue(solids.label(i));
     names->InsertNextValue(solids.name(i));
-    this->LabelLegend += std::to_string(solids.label(i)) + "\t" + solids.name(i) + "\n";
   }
   image->GetFieldData()->AddArray(values);
   image->GetFieldData()->AddArray(names);
+  this->LabelLegend = winding::legendOf(image);
 }
 
 void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)

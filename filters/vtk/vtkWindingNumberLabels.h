@@ -203,7 +203,7 @@ protected:
   int GetActiveScalarType() const override { return VTK_UNSIGNED_SHORT; }
   void MakeImage(vtkDataObject* source, const std::array<int, 6>& samples, vtkImageData* image,
     vtkDataSetAttributes* attributes) override;
-  void UniteTimes(vtkDataSetAttributes* all, vtkDataSetAttributes* other) override;
+  void UniteTimes(vtkImageData* all, vtkImageData* other) override;
 
   int OverlapRule = FIRST;
   vtkTypeBool GenerateSolidCount = 0;

@@ -3,8 +3,8 @@
 """winding.h still has all that version 1 of the interface had, where programs look for it.
 
 Usage: interface_test.py <winding.h> <compiler of C> [--write]. interface_1.txt holds what programs of
-version 1 rely on: functions with their types, constants, and the places of members of structs on
-machines with addresses of 64 bits. What is new may be added; --write adds it once it is released.
+version 1 rely on: functions and members of structs with their types, constants, and the places of
+members on machines with addresses of 64 bits. What is new may be added; --write adds it once it is released.
 """
 
 import pathlib
@@ -28,16 +28,18 @@ def functions_in(text):
 def constants_in(text):
     for name, value in re.findall(r"\b(WINDING_\w+)\s*=\s*(-?\d+)", text):
         yield f"constant {name} {value}"
+    for name, value in re.findall(r"^#define (WINDING_\w+) (-?\d+)$", text, re.MULTILINE):
+        yield f"constant {name} {value}"
 
 
 def structs_in(text):
-    """The names of structs, with those of their members in order."""
+    """The names of structs, with the declarations of their members by names, in order."""
     for name, body in re.findall(r"typedef struct (\w+)\s*\{(.*?)\}\s*\1;", text, re.DOTALL):
-        members = []
+        members = {}
         for declaration in filter(str.strip, body.split(";")):
             pointer = re.search(r"\(\*\s*(\w+)\)\s*\(", declaration)
-            members.append(pointer[1] if pointer else re.search(
-                r"(\w+)\s*(\[[^\]]*\]\s*)*$", declaration)[1])
+            member = pointer or re.search(r"(\w+)\s*(\[[^\]]*\]\s*)*$", declaration)
+            members[member[1]] = " ".join(declaration.split())
         yield name, members
 
 
@@ -45,10 +47,10 @@ def places_of(structs, header, compiler):
     """Lines with the places and sizes of members; and sizes of structs that tell none themselves."""
     lines = []
     for name, members in structs:
-        for member in members:
-            lines.append(f'printf("member {name}.{member} %zu %zu\\n", offsetof({name}, {member}), '
-                         f"sizeof((({name}*)0)->{member}));")
-        if members[0] != "size":
+        for member, declaration in members.items():
+            lines.append(f'printf("member {name}.{member} %zu %zu {declaration}\\n", '
+                         f"offsetof({name}, {member}), sizeof((({name}*)0)->{member}));")
+        if "size" not in members:
             lines.append(f'printf("struct {name} %zu\\n", sizeof({name}));')
     code = "\n".join(["#include <winding.h>", "#include <stddef.h>", "#include <stdio.h>",
                       "int main(void) {", *lines, "return 0; }"])
@@ -64,7 +66,7 @@ def places_of(structs, header, compiler):
 def end_of(lines, struct):
     """Where the members of a struct end."""
     return max((int(place) + int(size) for place, size in (
-        line.split()[2:] for line in lines if line.startswith(f"member {struct}."))), default=0)
+        line.split()[2:4] for line in lines if line.startswith(f"member {struct}."))), default=0)
 
 
 def faults_of(found, kept):

@@ -79,7 +79,7 @@ def main():
     run(found / "build" / "program")
 
     require(refusal(settings, project(settings.folder / "components", "COMPONENTS Nonsense")),
-            "it has no components, and these are asked for: Nonsense")
+            "it has no components, and one is asked for: Nonsense")
 
     other = project(settings.folder / "other")
     (other / "VTKConfig.cmake").write_text(OTHER_VTK)

@@ -157,13 +157,12 @@ class KeywordsTest(unittest.TestCase):
                       ("winding_number", (places,)), ("contains", (places,)),
                       ("signed_distance", (places,)), ("field", ()), ("mask", ()),
                       ("surface", ()))]
-        folder = tempfile.TemporaryDirectory()
-        table = pathlib.Path(folder.name) / "table.csv"
-        table.write_text("a,b,c,x,y,z\n1,2,3,4,5,6\n")
 
         def read(*, columns=None):
-            with folder:
-                return vtkwinding.read(table, columns=columns).vertices if columns else None
+            with tempfile.TemporaryDirectory() as folder:
+                table = pathlib.Path(folder) / "table.csv"
+                table.write_text("a,b,c,x,y,z\n1,2,3,4,5,6\n")
+                return vtkwinding.read(table, columns=columns).vertices
 
         return found + [("surface", "read", read, ())]
 

@@ -17,6 +17,8 @@ public:
   static MovingSphere* New() { VTK_STANDARD_NEW_BODY(MovingSphere); }
   vtkTypeMacro(MovingSphere, vtkPolyDataAlgorithm);
 
+  void SetResolution(int resolution) { resolution_ = resolution; }
+
 protected:
   MovingSphere() { this->SetNumberOfInputPorts(0); }
 
@@ -37,10 +39,13 @@ protected:
     const double time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
     sphere->SetCenter(10 * time, 0, 0);
     sphere->SetRadius(0.5 + 0.25 * time);
-    sphere->SetThetaResolution(24);
-    sphere->SetPhiResolution(24);
+    sphere->SetThetaResolution(resolution_);
+    sphere->SetPhiResolution(resolution_);
     sphere->Update();
     vtkPolyData::GetData(info)->ShallowCopy(sphere->GetOutput());
     return 1;
   }
+
+private:
+  int resolution_ = 24;
 };

@@ -3,10 +3,16 @@
 #include "vtk/ErrorLog.h"
 #include "vtk/MovingSphere.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkContourFilter.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkSurfaceReport.h"
@@ -263,8 +269,8 @@ TEST_F(Time, UnionOverAllTimesKeepsLabelsOfEveryTime)
   EXPECT_GT(found[2], found[1]);
 }
 
-/// The sphere leaves the box: that is said once, not at two times, and no more than the one line.
-TEST_F(Time, UnionOverAllTimesWarnsOnce)
+/// Only at one of three times is the sphere in the box, and so the warning is about the others.
+TEST_F(Time, UnionOverAllTimesSaysAtHowManyTimesItWarns)
 {
   vtkNew<vtkWindingNumberField> field;
   field->SetInputConnection(sphere->GetOutputPort());
@@ -277,10 +283,161 @@ TEST_F(Time, UnionOverAllTimesWarnsOnce)
   EXPECT_GT(field->GetNumberOfInsideSamples(), 0);
   EXPECT_EQ(log.errors(), "");
   EXPECT_EQ(countOf("Warning: ", log.warnings()), 1) << log.warnings();
+  EXPECT_EQ(countOf("at 2 of 3 times", log.warnings()), 1) << log.warnings();
   const double before = field->GetOutput()->GetScalarRange()[1];
   field->Modified();
   field->UpdateTimeStep(2);
   EXPECT_EQ(field->GetOutput()->GetScalarRange()[1], before) << "no time of the output's own";
+}
+
+/// Two cubes, of which one or both are there, or none: by time, a solid for each name.
+class ComingAndGoing : public vtkMultiBlockDataSetAlgorithm
+{
+public:
+  static ComingAndGoing* New() { VTK_STANDARD_NEW_BODY(ComingAndGoing); }
+  vtkTypeMacro(ComingAndGoing, vtkMultiBlockDataSetAlgorithm);
+
+  std::vector<std::string> names = {"", "left", "left"}; ///< of the solids at each time
+  bool hasSteps = true;
+
+protected:
+  ComingAndGoing() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    const double times[3] = {0, 1, 2}, range[2] = {0, 2};
+    vtkInformation* info = outputs->GetInformationObject(0);
+    if (hasSteps)
+    {
+      info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times, 3);
+    }
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+    return 1;
+  }
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    vtkInformation* info = outputs->GetInformationObject(0);
+    auto* key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+    const int time = info->Has(key) ? static_cast<int>(info->Get(key)) : 0;
+    auto* blocks = vtkMultiBlockDataSet::GetData(info);
+    const std::string& name = names[static_cast<std::size_t>(time)];
+    if (!name.empty())
+    {
+      vtkNew<vtkSphereSource> sphere;
+      sphere->SetCenter(3 * time, 0, 0);
+      sphere->Update();
+      blocks->SetBlock(0, sphere->GetOutput());
+      blocks->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+    }
+    return 1;
+  }
+};
+
+TEST_F(Time, UnionOverAllTimesOfLabelsNamesOneSolidAtAllTimes)
+{
+  const auto labelsOf = [](ComingAndGoing* source)
+  {
+    const auto labels = vtkSmartPointer<vtkWindingNumberLabels>::New();
+    labels->SetInputConnection(source->GetOutputPort());
+    labels->UnionOverAllTimesOn();
+    labels->SetResolution(40);
+    return labels;
+  };
+  vtkNew<ComingAndGoing> same;
+  const auto labels = labelsOf(same);
+  const ErrorLog log(labels);
+  labels->Update();
+  EXPECT_EQ(log.errors(), "");
+  EXPECT_STREQ(labels->GetLabelLegend(), "1\tleft\n") << "the first time has no solid";
+  EXPECT_EQ(labels->GetOutput()->GetScalarRange()[1], 1);
+  vtkNew<ComingAndGoing> gone;
+  gone->names = {"left", "left", ""};
+  const auto last = labelsOf(gone);
+  const ErrorLog ofLast(last);
+  last->Update();
+  EXPECT_STREQ(last->GetLabelLegend(), "1\tleft\n") << "the last time has no solid";
+  EXPECT_EQ(last->GetOutput()->GetFieldData()->GetArray("LabelValues")->GetNumberOfTuples(), 1);
+  vtkNew<ComingAndGoing> other;
+  other->names = {"left", "left", "right"};
+  const auto refused = labelsOf(other);
+  const ErrorLog ofRefused(refused);
+  refused->Update();
+  EXPECT_EQ(refused->GetStatus(), vtkWindingNumberLabels::REFUSED);
+  EXPECT_NE(ofRefused.errors().find("others at another time"), std::string::npos)
+    << ofRefused.errors();
+}
+
+/// A source whose union is refused is at its own time after it.
+TEST_F(Time, UnionOverAllTimesGivesTheSourceItsTimeBack)
+{
+  vtkNew<ComingAndGoing> source;
+  source->names = {"left", "left", "right"};
+  source->UpdateTimeStep(1);
+  vtkNew<vtkWindingNumberLabels> labels;
+  labels->SetInputConnection(source->GetOutputPort());
+  labels->UseInputBoundsOff();
+  labels->SetSamplingBounds(-1, 7, -1, 1, -1, 1);
+  labels->UnionOverAllTimesOn();
+  labels->SetResolution(20);
+  const ErrorLog log(labels);
+  labels->Update();
+  ASSERT_EQ(labels->GetStatus(), vtkWindingNumberLabels::REFUSED);
+  EXPECT_EQ(
+    source->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()), 1);
+  labels->UnionOverAllTimesOff();
+  labels->Update();
+  EXPECT_EQ(labels->GetStatus(), vtkWindingNumberLabels::DONE) << log.errors();
+  EXPECT_STREQ(labels->GetLabelLegend(), "1\tleft\n");
+}
+
+TEST_F(Time, UnionOverAllTimesOfARangeWithoutStepsIsRefused)
+{
+  vtkNew<ComingAndGoing> source;
+  source->hasSteps = false;
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(source->GetOutputPort());
+  field->UnionOverAllTimesOn();
+  const ErrorLog log(field);
+  field->Update();
+  EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
+  EXPECT_NE(log.errors().find("no steps"), std::string::npos) << log.errors();
+}
+
+/// Each time alone is within the limit, and all of them together are not.
+TEST_F(Time, UnionOverAllTimesKeepsTheLongestExpectedTime)
+{
+  vtkNew<MovingSphere> large;
+  large->SetResolution(100);
+  const auto madeOf = [&large]
+  {
+    const auto field = vtkSmartPointer<vtkWindingNumberField>::New();
+    field->SetInputConnection(large->GetOutputPort());
+    field->SetMethod(vtkWindingNumberField::DIRECT);
+    field->SetSamplingDimensions(20, 20, 20);
+    field->BoundsOverAllTimesOn();
+    return field;
+  };
+  double longest = 0, all = 0;
+  for (const int time : {0, 1, 2})
+  {
+    const auto field = madeOf();
+    field->UpdateTimeStep(time);
+    const double seconds = field->GetPrepareSeconds() + field->GetEvaluateSeconds();
+    longest = std::max(longest, seconds);
+    all += seconds;
+  }
+  if (2 * longest > all)
+  {
+    GTEST_SKIP() << "the machine is too busy to tell: " << longest << " of " << all;
+  }
+  const auto field = madeOf();
+  field->UnionOverAllTimesOn();
+  field->SetLongestExpectedTime(0.5 * (longest + all));
+  const ErrorLog log(field);
+  field->Update();
+  EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED) << longest << " of " << all;
 }
 
 TEST_F(Time, UnionOverAllTimesIsRefusedWithNearestCells)

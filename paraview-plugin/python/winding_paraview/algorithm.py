@@ -139,6 +139,7 @@ class Algorithm(VTKPythonAlgorithmBase):
         self._told = None
         self._share = self._turn = (0.0, 1.0)
         self._kept_warnings = None
+        self._turns = 0
 
     def GetStatus(self):
         return self.status
@@ -212,20 +213,26 @@ class Algorithm(VTKPythonAlgorithmBase):
     def warn(self, text):
         if self._kept_warnings is None:
             self._tell("WarningEvent", "Warning", text)
-        else:
-            self._kept_warnings.setdefault(re.sub(r"[0-9]", "", text), text)
+            return
+        parts = text.split("'")  # names in quotation marks keep their numbers
+        parts[::2] = [re.sub(r"[0-9]", "", part) for part in parts[::2]]
+        kept = self._kept_warnings.setdefault("'".join(parts), (text, set()))
+        kept[1].add(self._turn)
 
     @contextlib.contextmanager
     def distinct_warnings(self):
-        """Keeps warnings back, and warns once at the end of what differs by numbers only."""
+        """Keeps the warnings of several turns back. At the end each comes once, with how many of the
+        turns it came at unless that is all of them."""
         self._kept_warnings = {}
         try:
             yield
         finally:
             kept, self._kept_warnings = self._kept_warnings, None
             self._turn = (0.0, 1.0)
-            for text in kept.values():
-                self.warn(text)
+            for text, turns in kept.values():
+                often = f"at {len(turns)} of {self._turns} times"
+                self.warn(text if len(turns) == self._turns else
+                          text + (", " if "; " in text else "; ") + often)
 
     def _tell(self, event, kind, text):
         """Tells observers of the filter, or else ParaView's window of messages, as C++ does."""
@@ -240,7 +247,7 @@ class Algorithm(VTKPythonAlgorithmBase):
 
     def take_turn(self, number, count):
         """Shows the progress of what follows as that of one of several turns."""
-        self._turn = (number / count, (number + 1) / count)
+        self._turn, self._turns = (number / count, (number + 1) / count), number + 1
         self.between(0, 1)
 
     def between(self, first, last):

@@ -3,6 +3,7 @@
 """Filters on regular grids: how a grid is laid out, images of it in any extents, and Winding Number
 Field."""
 
+import contextlib
 import ctypes
 
 import numpy as np
@@ -158,14 +159,28 @@ class GridAlgorithm(SourceAlgorithm):
         for. Who asks for none gets the source as it was."""
         times, current, _ = self._times()
         request = vtkInformation()
-        for step in times:
-            request.Set(Pipeline.UPDATE_TIME_STEP(), step)
-            self.update_source(request)
-            yield step
-        if times:
-            request.Set(Pipeline.UPDATE_TIME_STEP(), out_info.Get(Pipeline.UPDATE_TIME_STEP())
-                        if out_info.Has(Pipeline.UPDATE_TIME_STEP()) else current)
-            self.update_source(request)
+        is_done = False
+        try:
+            for step in times:
+                request.Set(Pipeline.UPDATE_TIME_STEP(), step)
+                self.update_source(request)
+                yield step
+            is_done = True
+        finally:  # whoever asks next finds the source at its time, even after a failure
+            if times:
+                request.Set(Pipeline.UPDATE_TIME_STEP(), out_info.Get(Pipeline.UPDATE_TIME_STEP())
+                            if out_info.Has(Pipeline.UPDATE_TIME_STEP()) else current)
+                with contextlib.suppress(*([] if is_done else [WindingError])):
+                    self.update_source(request)
+
+    def has_time_steps(self):
+        """Whether the source has steps of time; a range alone is refused."""
+        for connection in self.connections():
+            info = connection.GetProducer().GetOutputInformation(connection.GetIndex())
+            if info.Has(Pipeline.TIME_RANGE()) and not info.Get(Pipeline.TIME_STEPS()):
+                raise WindingError("the input has a range of times, but no steps: give it steps, or "
+                                   "use Union Over All Times off")
+        return bool(self._times()[0])
 
     def find_bounds_over_all_times(self, out_info, ranks):
         """Has the source made at each of its times, if the grid is to lie over all of them."""
@@ -294,8 +309,8 @@ class ImageAlgorithm(GridAlgorithm):
     def check_union(self):
         """Refuses arrays that a union of times cannot have."""
 
-    def unite_times(self, all_arrays, others):
-        """Makes arrays of earlier times those of these and of another time."""
+    def unite_times(self, image, part):
+        """Takes the arrays of another time into those of earlier times."""
         raise NotImplementedError
 
     def is_of_all_times(self):
@@ -310,18 +325,17 @@ class ImageAlgorithm(GridAlgorithm):
         count = len(self._times()[0])
         if not self.is_of_all_times() or not count:
             return False
-        with self.distinct_warnings():
-            for number, _ in enumerate(self.for_each_time(out_info)):
+        with self.distinct_warnings(), contextlib.closing(self.for_each_time(out_info)) as steps:
+            for number, _ in enumerate(steps):
                 self.check_union()
                 self.take_turn(number, count)
                 part = vtkImageData()
                 part.CopyStructure(image)
                 self.make_image(self.source(), ranks, grid, extent, part, self._attributes_of(part))
                 if number == 0:
-                    self._attributes_of(image).ShallowCopy(self._attributes_of(part))
+                    image.ShallowCopy(part)
                 else:
-                    self.unite_times(self._attributes_of(image), self._attributes_of(part))
-                image.GetFieldData().ShallowCopy(part.GetFieldData())
+                    self.unite_times(image, part)
         return True
 
     def FillInputPortInformation(self, port, info):
@@ -407,7 +421,7 @@ class ImageAlgorithm(GridAlgorithm):
             out_info.Set(Pipeline.WHOLE_EXTENT(), extent, 6)
             self._tell_grid(out_info, self.grid)
             out_info.Set(self.CAN_PRODUCE_SUB_EXTENT(), 1)
-            if self.is_of_all_times():
+            if self.is_of_all_times() and self.has_time_steps():
                 out_info.Remove(Pipeline.TIME_STEPS())
                 out_info.Remove(Pipeline.TIME_RANGE())
             if not as_cells:
@@ -542,7 +556,8 @@ class WindingNumberField(ImageAlgorithm):
             raise WindingError("nearest cells belong to one time of the input: use Generate Nearest "
                                "Cells off, or use Union Over All Times off")
 
-    def unite_times(self, all_arrays, others):
+    def unite_times(self, image, part):
+        all_arrays, others = self._attributes_of(image), self._attributes_of(part)
         name = self.values["ResultArrayName"] or "WindingNumber"
 
         def level(values):

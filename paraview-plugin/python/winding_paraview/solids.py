@@ -335,6 +335,14 @@ def _out_of(names, count):
     return f"{len(names)} of {count} solid{'s' if count > 1 else ''} ({shown})"
 
 
+def legend_of(labels):
+    """A line for each label of an image of labels, with its number and its name."""
+    facts = labels.GetFieldData()
+    values, names = facts.GetArray("LabelValues"), facts.GetAbstractArray("LabelNames")
+    count = values.GetNumberOfTuples() if values and names else 0
+    return "".join(f"{values.GetTuple1(n):.0f}\t{names.GetValue(n)}\n" for n in range(count))
+
+
 @declared
 class WindingNumberLabels(ImageAlgorithm):
     """The label of the solid that each voxel of a grid is in."""
@@ -417,7 +425,17 @@ class WindingNumberLabels(ImageAlgorithm):
         self._kept = (key, solids, handles)
         return solids, handles
 
-    def unite_times(self, all_arrays, others):
+    def unite_times(self, image, part):
+        known, legend = legend_of(image), legend_of(part)
+        self.legend = known or legend
+        if not known:
+            image.ShallowCopy(part)
+        if not known or not legend:
+            return
+        if legend != known:
+            raise WindingError("the solids are others at another time of the input: use Union Over "
+                               "All Times off; labels name one solid at all times")
+        all_arrays, others = self._attributes_of(image), self._attributes_of(part)
         take_better(all_arrays, others, "Label",
                     lambda theirs, ours: (ours == 0) & (theirs != 0))
         take_better(all_arrays, others, "SolidCount", np.greater)
@@ -544,4 +562,4 @@ class WindingNumberLabels(ImageAlgorithm):
         image.GetFieldData().AddArray(copied(
             "LabelValues", np.array([solid.label for solid in solids], np.uint16)))
         image.GetFieldData().AddArray(names)
-        self.legend = "".join(f"{solid.label}\t{solid.name}\n" for solid in solids)
+        self.legend = legend_of(image)

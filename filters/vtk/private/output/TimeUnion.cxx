@@ -4,11 +4,15 @@
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedShortArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace winding
@@ -83,6 +87,20 @@ vtkIdType uniteResults(vtkDataSetAttributes* all, vtkDataSetAttributes* other,
   }
   return countNumbers(
     all->GetArray("SignedDistance"), [](double distance) { return distance < 0; });
+}
+
+std::string legendOf(vtkImageData* labels)
+{
+  vtkFieldData* const facts = labels->GetFieldData();
+  vtkDataArray* const values = facts->GetArray("LabelValues");
+  auto* const names = vtkStringArray::SafeDownCast(facts->GetAbstractArray("LabelNames"));
+  std::string legend;
+  for (vtkIdType i = 0; values && names && i < values->GetNumberOfTuples(); ++i)
+  {
+    legend +=
+      std::to_string(std::lround(values->GetComponent(i, 0))) + "\t" + names->GetValue(i) + "\n";
+  }
+  return legend;
 }
 
 void uniteLabels(vtkDataSetAttributes* all, vtkDataSetAttributes* other)

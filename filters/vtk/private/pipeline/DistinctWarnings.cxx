@@ -16,22 +16,31 @@ namespace winding
 namespace
 {
 
-/// Returns a warning without what vtkWarningMacro() adds.
+/// Returns a warning without what vtkWarningMacro() adds: a line with the place, then the class,
+/// the address, and the name of the object if it has one.
 std::string messageOf(const std::string& text)
 {
-  const std::string address = "): ";
-  const std::size_t place = text.find(address);
-  const std::string message =
-    place == std::string::npos ? text : text.substr(place + address.size());
+  const std::size_t line = text.find('\n');
+  const std::string second = line == std::string::npos ? text : text.substr(line + 1);
+  const std::size_t colon = second.find(": ");
+  const std::string message = colon == std::string::npos ? second : second.substr(colon + 2);
   return message.substr(0, message.find_last_not_of('\n') + 1);
 }
 
-std::string withoutDigits(std::string text)
+/// Returns a text without digits, except between quotation marks.
+std::string withoutNumbers(const std::string& text)
 {
-  text.erase(std::remove_if(text.begin(), text.end(),
-               [](char letter) { return letter >= '0' && letter <= '9'; }),
-    text.end());
-  return text;
+  std::string kind;
+  bool isName = false;
+  for (const char letter : text)
+  {
+    isName = isName != (letter == '\'');
+    if (isName || letter < '0' || letter > '9')
+    {
+      kind += letter;
+    }
+  }
+  return kind;
 }
 
 } // namespace
@@ -50,22 +59,32 @@ DistinctWarnings::DistinctWarnings(vtkObject* object)
 DistinctWarnings::~DistinctWarnings()
 {
   object_->RemoveObserver(observer_);
-  for (const std::string& message : kept_)
+  for (const Kept& kept : kept_)
   {
-    vtkWarningWithObjectMacro(object_, << message);
+    const std::string often = kept.times == times_
+                                ? ""
+                                : (kept.text.find("; ") == std::string::npos ? "; " : ", ") +
+                                    std::string("at ") + std::to_string(kept.times) + " of " +
+                                    std::to_string(times_) + " times";
+    vtkWarningWithObjectMacro(object_, << kept.text << often);
   }
 }
 
 void DistinctWarnings::keep(vtkObject*, unsigned long, void* warnings, void* text)
 {
-  std::vector<std::string>& kept = static_cast<DistinctWarnings*>(warnings)->kept_;
+  auto& own = *static_cast<DistinctWarnings*>(warnings);
   const std::string message = messageOf(static_cast<const char*>(text));
-  const bool isKnown = std::any_of(kept.begin(), kept.end(),
-    [&message](const std::string& known)
-    { return withoutDigits(known) == withoutDigits(message); });
-  if (!isKnown)
+  const std::string kind = withoutNumbers(message);
+  const auto known = std::find_if(
+    own.kept_.begin(), own.kept_.end(), [&kind](const Kept& kept) { return kept.kind == kind; });
+  if (known == own.kept_.end())
   {
-    kept.push_back(message);
+    own.kept_.push_back({message, kind, 1, own.times_});
+  }
+  else if (known->last != own.times_)
+  {
+    ++known->times;
+    known->last = own.times_;
   }
 }
 
