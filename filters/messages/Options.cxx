@@ -6,8 +6,7 @@
 #include <array>
 #include <atomic>
 #include <limits>
-#include <map>
-#include <utility>
+#include <optional>
 
 namespace winding
 {
@@ -16,23 +15,6 @@ namespace
 {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::vector<Option> makeOptions()
-{
-  std::vector<Option> options;
-#define OPTION(                                                                                    \
-  parameter, property, kind, standard, lowest, highest, unit, label, option, keyword, help)        \
-  options.push_back({Parameter::parameter, property, OptionKind::kind, standard, lowest, highest,  \
-    label, option, keyword, {}});
-#define CHOICE(parameter, number, constant, entry, word)                                           \
-  options.back().choices.push_back({number, constant, entry, word});
-#define OTHER(parameter, cxx, label, option, keyword, c)
-#include "Options.def"
-#undef OPTION
-#undef CHOICE
-#undef OTHER
-  return options;
-}
 
 /// Returns what setters call a constant: SpanningTree for SPANNING_TREE. They leave out the
 /// beginning that only distinguishes it from constants of other options.
@@ -55,17 +37,21 @@ std::string inSetter(const std::string& constant)
   return name;
 }
 
-std::map<std::pair<Parameter, int>, std::string> makeNamesOfChoices()
+std::vector<Option> makeOptions()
 {
-  std::map<std::pair<Parameter, int>, std::string> names;
-  for (const Option& option : makeOptions())
-  {
-    for (const Choice& choice : option.choices)
-    {
-      names[{option.parameter, choice.number}] = inSetter(choice.constant);
-    }
-  }
-  return names;
+  std::vector<Option> options;
+#define OPTION(                                                                                    \
+  parameter, property, kind, standard, lowest, highest, unit, label, option, keyword, help)        \
+  options.push_back({Parameter::parameter, property, OptionKind::kind, standard, lowest, highest,  \
+    label, option, keyword, {}});
+#define CHOICE(parameter, number, constant, entry, word)                                           \
+  options.back().choices.push_back({number, constant, entry, word, inSetter(constant)});
+#define OTHER(parameter, cxx, label, option, keyword, c)
+#include "Options.def"
+#undef OPTION
+#undef CHOICE
+#undef OTHER
+  return options;
 }
 
 /// A thing with names that is no option.
@@ -93,10 +79,10 @@ const char* nameOfOther(Parameter parameter, FrontEnd frontEnd)
   return found == std::end(others) ? "" : found->names[static_cast<std::size_t>(frontEnd)];
 }
 
-const Choice* choiceOf(const Option& option, const Setting& setting)
+const Choice* choiceOf(const Option& option, std::optional<int> number)
 {
   const auto found = std::find_if(option.choices.begin(), option.choices.end(),
-    [&setting](const Choice& choice) { return setting.value == choice.number; });
+    [number](const Choice& choice) { return number == choice.number; });
   return found == option.choices.end() ? nullptr : &*found;
 }
 
@@ -111,7 +97,7 @@ std::string inCxx(const Option& option, const Setting& setting)
   const std::string property = option.property;
   if (const std::string number = numberOf(option, setting); !number.empty())
   {
-    const Choice* choice = choiceOf(option, setting);
+    const Choice* choice = choiceOf(option, setting.value);
     return "Set" + property + "(" + (choice ? choice->constant : number) + ")";
   }
   return setting.value ? property + (*setting.value != 0 ? "On()" : "Off()")
@@ -121,7 +107,7 @@ std::string inCxx(const Option& option, const Setting& setting)
 std::string inParaView(const Option& option, const Setting& setting)
 {
   const std::string label = option.label;
-  if (const Choice* choice = choiceOf(option, setting))
+  if (const Choice* choice = choiceOf(option, setting.value))
   {
     const std::string entry = choice->entry;
     return label + ": " + entry.substr(0, entry.find(' '));
@@ -137,7 +123,7 @@ std::string inParaView(const Option& option, const Setting& setting)
 std::string inProgram(const Option& option, const Setting& setting)
 {
   const std::string name = option.option;
-  if (const Choice* choice = choiceOf(option, setting))
+  if (const Choice* choice = choiceOf(option, setting.value))
   {
     return *choice->word ? name + " " + choice->word : name;
   }
@@ -152,7 +138,7 @@ std::string inProgram(const Option& option, const Setting& setting)
 std::string inPython(const Option& option, const Setting& setting)
 {
   const std::string name = std::string(option.keyword) + "=";
-  if (const Choice* choice = choiceOf(option, setting))
+  if (const Choice* choice = choiceOf(option, setting.value))
   {
     return name + "'" + choice->word + "'";
   }
@@ -185,7 +171,7 @@ std::string inC(const Option& option, const Setting& setting)
     return name;
   }
   std::string value = std::to_string(*setting.value);
-  if (const Choice* choice = choiceOf(option, setting); choice && *choice->word)
+  if (const Choice* choice = choiceOf(option, setting.value); choice && *choice->word)
   {
     value = "WINDING_" + name + "_" + choice->word;
     for (char& letter : value)
@@ -233,9 +219,9 @@ const Option* optionOf(Parameter parameter)
 
 const char* nameOfChoice(Parameter parameter, int number)
 {
-  static const std::map<std::pair<Parameter, int>, std::string> names = makeNamesOfChoices();
-  const auto found = names.find({parameter, number});
-  return found == names.end() ? "Unknown" : found->second.c_str();
+  const Option* const option = optionOf(parameter);
+  const Choice* const choice = option ? choiceOf(*option, number) : nullptr;
+  return choice ? choice->setter.c_str() : "Unknown";
 }
 
 std::string nameOf(Parameter parameter, FrontEnd frontEnd)

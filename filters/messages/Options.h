@@ -43,6 +43,7 @@ struct Choice
   const char* constant; ///< in C++
   const char* entry;    ///< in ParaView
   const char* word;     ///< in the program and in Python
+  std::string setter;   ///< in names of setters in C++, as in SetMethodToRows()
 };
 
 /// An entry of the list. A name is empty where a front end has none.

@@ -22,9 +22,6 @@ namespace winding
 namespace
 {
 
-constexpr const char* coverageName = "Coverage";
-constexpr const char* distanceName = "SignedDistance";
-
 void pointInto(vtkDataArray* array, float*& floats, double*& doubles)
 {
   if (auto* ofFloats = vtkFloatArray::SafeDownCast(array))

@@ -22,8 +22,12 @@ namespace winding
 
 class ContentHash;
 
-/// The name of the array with the shares of cells.
+///@{
+/// The names of the arrays with the shares of cells, the shares of voxels, and distances.
 constexpr const char* fractionName = "Fraction";
+constexpr const char* coverageName = "Coverage";
+constexpr const char* distanceName = "SignedDistance";
+///@}
 
 struct ResultOptions
 {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/output/TimeUnion.h"
 
+#include "private/output/ResultArrays.h"
+
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -75,8 +77,8 @@ vtkIdType uniteResults(vtkDataSetAttributes* all, vtkDataSetAttributes* other,
     [rule, threshold](double theirs, double ours)
     { return levelOf(theirs, rule, threshold) > levelOf(ours, rule, threshold); });
   takeBetter(all, other, "Inside", std::greater<>());
-  takeBetter(all, other, "Coverage", std::greater<>());
-  takeBetter(all, other, "SignedDistance", std::less<>());
+  takeBetter(all, other, coverageName, std::greater<>());
+  takeBetter(all, other, distanceName, std::less<>());
   if (vtkDataArray* inside = all->GetArray("Inside"))
   {
     return countOf<vtkUnsignedCharArray>(inside, [](auto side) { return side != 0; });
@@ -85,8 +87,7 @@ vtkIdType uniteResults(vtkDataSetAttributes* all, vtkDataSetAttributes* other,
   {
     return countNumbers(values, [=](double value) { return isInside(value, rule, threshold); });
   }
-  return countNumbers(
-    all->GetArray("SignedDistance"), [](double distance) { return distance < 0; });
+  return countNumbers(all->GetArray(distanceName), [](double distance) { return distance < 0; });
 }
 
 std::string legendOf(vtkImageData* labels)
