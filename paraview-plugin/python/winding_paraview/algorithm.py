@@ -246,7 +246,7 @@ class Algorithm(VTKPythonAlgorithmBase):
             vtkOutputWindow.GetInstance().DisplayWarningText(full)
 
     def take_turn(self, number, count):
-        """Shows the progress of what follows as that of one of several turns."""
+        """Shows the progress of what follows as one of several turns."""
         self._turn, self._turns = (number / count, (number + 1) / count), number + 1
         self.between(0, 1)
 
