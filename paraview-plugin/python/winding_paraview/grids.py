@@ -322,8 +322,8 @@ class ImageAlgorithm(GridAlgorithm):
 
     def _make_union(self, out_info, ranks, grid, extent, image):
         """Fills an image with the union of all times, if there are any."""
-        count = len(self._times()[0])
-        if not self.is_of_all_times() or not count:
+        count = len(self._times()[0]) if self.is_of_all_times() else 0
+        if not count:
             return False
         with self.distinct_warnings(), contextlib.closing(self.for_each_time(out_info)) as steps:
             for number, _ in enumerate(steps):
