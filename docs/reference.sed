@@ -8,7 +8,7 @@ s,^  static vtk[A-Za-z]*\* New\(\);,  /** A new object\, whose reference is the 
 s,^  void PrintSelf\(.*,  /** Prints all properties and results. */&,
 
 # Users of a VTK class see what is public. What is protected has its comments in the header.
-/^class VTKFILTERSWINDING_EXPORT/,/^};/ {
+/^class VTK[A-Z]*WINDING_EXPORT/,/^};/ {
   /^(protected|private):/,/^};/ {
     /^};/!d
   }

@@ -86,6 +86,7 @@ the Python packages vtkwinding and vtkwinding_native.")
   set(control "${CMAKE_BINARY_DIR}/control")
   file(WRITE "${control}/shlibs"
     "libvtkFiltersWinding ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} ${later}\n"
+    "libvtkIOWinding ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} ${later}\n"
     "libwinding 1 ${later}\n")
   file(WRITE "${control}/triggers" "activate-noawait ldconfig\n")
   set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${control}/shlibs;${control}/triggers")

@@ -7,8 +7,8 @@
 #include "base/Views.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
-#include "private/pipeline/ErrorReports.h"
-#include "private/pipeline/SmpExecutor.h"
+#include "pipeline/ErrorReports.h"
+#include "pipeline/SmpExecutor.h"
 #include "private/source/SourceProperties.h"
 
 #include "vtkAbstractTransform.h"

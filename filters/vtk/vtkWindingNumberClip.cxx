@@ -4,9 +4,9 @@
 
 #include "base/Executor.h"
 #include "field/Field.h"
+#include "pipeline/SmpExecutor.h"
+#include "pipeline/VtkVersions.h"
 #include "private/output/ResultArrays.h"
-#include "private/pipeline/SmpExecutor.h"
-#include "private/pipeline/VtkVersions.h"
 #include "private/probe/ClippedPart.h"
 #include "private/probe/CutDistances.h"
 #include "private/probe/ProbeQueries.h"

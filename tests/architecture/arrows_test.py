@@ -20,8 +20,11 @@ CORE = "filters/core"
 PROGRAM = "apps/winding"
 # Headers without a class.
 MACROS = {"vtkWindingABINamespace.h"}
-CLASSES = "filters/vtk"
+CLASSES = ("filters/vtk", "filters/io")
 HELPERS = "filters/vtk/private"
+# Helpers without rooms, and the folders of filters that each may include.
+SMALL_HELPERS = {"filters/io/private": {"private", "files", "messages", "pipeline"},
+                 "filters/pipeline": {"pipeline", "messages"}}
 # Folders of filters beside the core that are plain C++, each with the ones that it includes.
 PLAIN = {"files": (), "messages": (), "c": ("files", "messages")}
 LIST_OF_OPTIONS = "Options.def"  # lies in filters, for helpers and the program
@@ -166,18 +169,27 @@ def check_program(program, core):
 
 def check_helpers(root, helpers, core):
     """Helpers know the core, VTK and lower floors; headers of classes know no helper and no core."""
-    classes = root / CLASSES
+    classes = {path.name: path for folder in CLASSES for path in sorted((root / folder).glob("*.h"))}
     for path, room in helpers.files:
         for bracket, included in includes_of(path):
             if included.startswith("private/"):
                 helpers.add_arrow(path, room, included[len("private/") :])
-            elif (classes / included).is_file() and included not in MACROS:
+            elif included in classes and included not in MACROS:
                 helpers.fault(f"{path.name} includes the public class header {included}")
     faults = helpers.check()
-    for path in sorted(classes.glob("*.h")):
+    for folder, known in SMALL_HELPERS.items():
+        paths = sorted(path for path in (root / folder).iterdir() if path.suffix in (".h", ".cxx"))
+        faults += [] if paths else [f"{folder}: there are no sources"]
+        for path, (bracket, included) in ((path, pair) for path in paths for pair in includes_of(path)):
+            first = pathlib.PurePath(included).parts[0]
+            if included in classes and included not in MACROS:
+                faults.append(f"{folder}: {path.name} includes the public class header {included}")
+            elif (root / "filters" / first).is_dir() and first not in known and not core.has(included):
+                faults.append(f"{folder}: {path.name} includes {included}, which it may not")
+    for path in classes.values():
         for bracket, included in includes_of(path):
-            if included.startswith(("private/", "files/")) or core.has(included):
-                faults.append(f"{CLASSES}: {path.name} is public and includes {included}, which is not")
+            if included.startswith(("private/", "files/", "pipeline/")) or core.has(included):
+                faults.append(f"{path.name} is public and includes {included}, which is not")
     return faults
 
 

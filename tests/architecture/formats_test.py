@@ -48,7 +48,7 @@ def main(root):
                        ("docs/guide.md", f"| `vtkSourceReader` | `{classes}` ")):
         if text not in " ".join((root / name).read_text().split()):
             faults.append(f"{name} does not say: {text}")
-    for name in ("filters/vtk/vtkSourceReader.h", "filters/c/winding.h", "docs/library.md"):
+    for name in ("filters/io/vtkSourceReader.h", "filters/c/winding.h", "docs/library.md"):
         text = (root / name).read_text()
         faults += [f"{name} does not name {suffix}" for suffix in read if suffix not in text]
     print(f"{len(all_inputs)} formats")

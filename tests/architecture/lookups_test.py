@@ -19,7 +19,9 @@ SHARED = re.compile(rf"(GetTuple[1-9]\(|Get(Tuple|Point)\({ARGUMENT}\))")
 
 
 def main(root):
-    sources = sorted(path for path in (root / "filters/vtk").rglob("*") if path.suffix in (".h", ".cxx"))
+    sources = sorted(path for folder in ("vtk", "io", "pipeline")
+                     for path in (root / "filters" / folder).rglob("*")
+                     if path.suffix in (".h", ".cxx"))
     faults = [f"{path.relative_to(root)}:{number}: {line.strip()}" for path in sources
               for number, line in enumerate(path.read_text().splitlines(), 1) if SHARED.search(line)]
     assert sources and SHARED.search("values->GetTuple1(i)") and SHARED.search("a->GetPoint(id(i))")

@@ -38,8 +38,10 @@ def same(kind, a, b):
 
 def check_classes(root, options):
     """Every property can be set, is printed, and has its default in a header."""
-    headers = {path: path.read_text() for path in sorted((root / "filters/vtk").glob("*.h"))}
-    sources = "".join(path.read_text() for path in sorted((root / "filters/vtk").rglob("*.cxx")))
+    headers = {path: path.read_text() for folder in ("vtk", "io")
+               for path in sorted((root / "filters" / folder).glob("*.h"))}
+    sources = "".join(path.read_text() for folder in ("vtk", "io")
+                      for path in sorted((root / "filters" / folder).rglob("*.cxx")))
     printed = set(re.findall(r'"(\w+): "', sources))
     printed |= set(re.findall(r'"(\w+): "', "".join(
         path.read_text() for path in (root / "filters/vtk/private").rglob("*.h"))))

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The module as a static library: it builds, installs, and a program links it by its package."""
+"""The modules as static libraries: they build, install, and a program links them by
+their package."""
 
 import os
 
@@ -11,17 +12,19 @@ cmake_minimum_required(VERSION 3.25)
 project(consumer LANGUAGES C CXX)
 find_package(vtkWinding REQUIRED)
 add_executable(program main.cxx)
-target_link_libraries(program PRIVATE Winding::FiltersWinding)
+target_link_libraries(program PRIVATE Winding::FiltersWinding Winding::IOWinding)
 """
 # Symmetric about the origin, so that w there is 1 whatever the mesh.
 PROGRAM = """\
 #include <vtkDataArray.h>
+#include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkCellArray.h>
+#include <vtkSourceReader.h>
 #include <vtkWindingNumberField.h>
 
 int main()
@@ -44,7 +47,12 @@ int main()
   field->SetInputData(tetrahedron);
   field->SetSamplingDimensions(5, 5, 5);
   field->Update();
-  return field->GetOutput()->GetPointData()->GetScalars()->GetComponent(62, 0) != 1;
+  vtkNew<vtkSourceReader> reader;
+  reader->SetFileName("there is none.obj");
+  reader->GlobalWarningDisplayOff();
+  reader->Update();
+  return field->GetOutput()->GetPointData()->GetScalars()->GetComponent(62, 0) != 1 ||
+    reader->GetErrorCode() != vtkErrorCode::FileNotFoundError;
 }
 """
 
@@ -65,8 +73,8 @@ def main():
     (consumer / "main.cxx").write_text(PROGRAM)
     build(settings, consumer, consumer / "build")
     run(consumer / "build" / "program")
-    if list(prefix.rglob("libvtkFiltersWinding.so*")):
-        raise SystemExit("the module is a shared library")
+    if list(prefix.rglob("libvtk*Winding.so*")):
+        raise SystemExit("a module is a shared library")
 
 
 if __name__ == "__main__":

@@ -21,11 +21,11 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
 
 import vtkwinding
 from vtkwinding_native.vtkFiltersWinding import (
-    vtkSourceReader,
     vtkWindingNumberField,
     vtkWindingNumberProbe,
     vtkWindingNumberSurface,
 )
+from vtkwinding_native.vtkIOWinding import vtkSourceReader
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 

@@ -9,7 +9,7 @@ import warnings
 
 import numpy as np
 
-from vtkwinding_native.vtkFiltersWinding import vtkSourceReader
+from vtkwinding_native.vtkIOWinding import vtkSourceReader
 
 import vtkwinding
 from vtkwinding import _sources

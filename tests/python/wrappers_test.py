@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""VTK's wrappers of the module: every public class is there, documented, and runs in a pipeline.
+"""VTK's wrappers of the modules: every public class is there, documented, and runs in a pipeline.
 
 The environment may say where the package has to come from (WINDING_PACKAGE) and below which folder
 its library lies (WINDING_LIBRARIES).
@@ -21,12 +21,14 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
 import vtkwinding_native
-from vtkwinding_native import vtkFiltersWinding
+from vtkwinding_native import vtkFiltersWinding, vtkIOWinding
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-CLASSES = re.findall(r"^  (vtk\w+)", re.search(
-    r"set\(classes\n(.*?)\)", (ROOT / "filters" / "vtk" / "CMakeLists.txt").read_text(), re.DOTALL)[1],
-    re.MULTILINE)
+FOLDERS = {"vtk": vtkFiltersWinding, "io": vtkIOWinding}
+# Of each class its wrapper, by its header.
+CLASSES = {header.stem: getattr(module, header.stem, None) for folder, module in FOLDERS.items()
+           for header in sorted((ROOT / "filters" / folder).glob("vtk*.h"))
+           if f"@class   {header.stem}\n" in header.read_text()}
 ABSTRACT = {
     "vtkWindingNumberAlgorithm",
     "vtkWindingNumberGridAlgorithm",
@@ -76,10 +78,10 @@ class PackageTest(unittest.TestCase):
         self.assertEqual(vtkwinding_native.__version__, version[1])
 
     def test_loads_the_modules_that_the_library_depends_on(self):
-        named = re.findall(r"VTK::(\w+)", (ROOT / "filters" / "vtk" / "vtk.module").read_text())
-        self.assertEqual(["vtk" + name for name in named if name not in ("vtksys", "zlib")],
+        named = {f"vtk{name}" for folder in FOLDERS for name in re.findall(
+            r"VTK::(\w+)", (ROOT / "filters" / folder / "vtk.module").read_text())}
+        self.assertEqual(sorted(named - {"vtkvtksys", "vtkzlib"}),
                          list(vtkwinding_native._vtk.DEPENDENCIES))
-
 
     def test_another_vtk_is_refused_in_words(self):
         package = pathlib.Path(vtkwinding_native.__file__).parent
@@ -97,32 +99,32 @@ class PackageTest(unittest.TestCase):
 
 class ClassesTest(unittest.TestCase):
     def test_all_are_there(self):
-        wrapped = [name for name in dir(vtkFiltersWinding) if name.startswith("vtk")]
+        wrapped = [name for module in FOLDERS.values() for name in dir(module)
+                   if name.startswith("vtk")]
         self.assertEqual(sorted(CLASSES), sorted(wrapped))
+        self.assertGreaterEqual(len(CLASSES), 17)
 
     def test_all_but_base_classes_can_be_made(self):
-        for name in CLASSES:
+        for name, wrapped in CLASSES.items():
             with self.subTest(name):
-                wrapped = getattr(vtkFiltersWinding, name)
                 if name in ABSTRACT:
                     self.assertRaises((TypeError, NotImplementedError), wrapped)
                 else:
                     self.assertEqual(wrapped().GetClassName(), name)
 
     def test_docstrings_are_those_of_the_headers(self):
-        for name in CLASSES:
-            header = (ROOT / "filters" / "vtk" / (name + ".h")).read_text()
+        for name, wrapped in CLASSES.items():
+            header = next((ROOT / "filters").glob(f"*/{name}.h")).read_text()
             brief = re.search(r"@brief\s+(.*?)\n \*\n", header, re.DOTALL)[1]
             words = re.sub(r"[\s*]+", " ", brief)
-            text = re.sub(r"\s+", " ", getattr(vtkFiltersWinding, name).__doc__)
+            text = re.sub(r"\s+", " ", wrapped.__doc__)
             with self.subTest(name):
                 self.assertIn(words, text)
 
     def test_setters_say_what_they_mean(self):
         """Here, or where the property of this name is that of another class."""
         base = vtkFiltersWinding.vtkWindingNumberAlgorithm
-        for name in CLASSES:
-            wrapped = getattr(vtkFiltersWinding, name)
+        for name, wrapped in CLASSES.items():
             for method in sorted(vars(wrapped)):
                 if re.match("Set[A-Z]", method) and hasattr(wrapped, "Get" + method[3:]):
                     with self.subTest(f"{name}.{method}"):
@@ -132,10 +134,10 @@ class ClassesTest(unittest.TestCase):
 
     def test_properties_take_back_what_they_gave(self):
         count = 0
-        for name in CLASSES:
+        for name, wrapped in CLASSES.items():
             if name in ABSTRACT:
                 continue
-            instance = getattr(vtkFiltersWinding, name)()
+            instance = wrapped()
             ours = {method for cls in type(instance).__mro__ for method in vars(cls)
                     if cls.__name__ in CLASSES}
             for method in ours:
@@ -152,10 +154,10 @@ class ClassesTest(unittest.TestCase):
 
     def test_choices_are_set_by_name(self):
         count = 0
-        for name in CLASSES:
+        for name, wrapped in CLASSES.items():
             if name in ABSTRACT:
                 continue
-            instance = getattr(vtkFiltersWinding, name)()
+            instance = wrapped()
             for method in dir(instance):
                 choice = re.fullmatch(r"Set(\w+?)To([A-Z]\w*)", method)
                 named = choice and getattr(instance, f"Get{choice[1]}AsString", None)
@@ -267,7 +269,7 @@ class PipelineTest(unittest.TestCase):
             mesh.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
             points.write_text("0 0 0 0 0 1\n1 0 0 0 0 1\n")
             for path, count in (mesh, 3), (points, 2), (table, 2), (surface, 3):
-                reader = vtkFiltersWinding.vtkSourceReader()
+                reader = vtkIOWinding.vtkSourceReader()
                 errors = errors_of(reader)
                 reader.SetFileName(str(path))
                 reader.Update()

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "private/pipeline/SmpExecutor.h"
+#include "pipeline/SmpExecutor.h"
 #include "vtk/ErrorLog.h"
 #include "vtk/HowTo.h"
 

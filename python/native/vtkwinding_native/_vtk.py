@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Loads VTK and then the compiled module, which fits the minor version it was built against."""
+"""Loads VTK and then the compiled modules, which fit the minor version they were built against."""
 
 import importlib
 
 from ._built import VTK_MINOR
 
-# The modules of VTK that the compiled one depends on, as filters/vtk/vtk.module names them. Their
+# The modules of VTK that the compiled ones depend on, as filters/*/vtk.module name them. Their
 # libraries have to be loaded before it where the system does not look beside VTK's wrappers.
 DEPENDENCIES = (
     "vtkCommonCore",
@@ -19,6 +19,8 @@ DEPENDENCIES = (
     "vtkFiltersGeometry",
     "vtkParallelCore",
 )
+
+MODULES = ("vtkFiltersWinding", "vtkIOWinding")
 
 _REMEDY = f"this vtk-winding-native needs VTK {VTK_MINOR} (with pip: vtk=={VTK_MINOR}.*)"
 
@@ -35,7 +37,8 @@ def load():
     try:
         for name in DEPENDENCIES:
             importlib.import_module("vtkmodules." + name)
-        importlib.import_module(".vtkFiltersWinding", __package__)
+        for name in MODULES:
+            importlib.import_module("." + name, __package__)
     except ImportError as error:
         raise ImportError(
             f"{_REMEDY}: it does not fit {vtkVersion.GetVTKVersion()} ({error})") from error

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/output/LabelImage.h"
 
+#include "pipeline/FreeMemory.h"
 #include "private/output/ResultArrays.h"
-#include "private/pipeline/FreeMemory.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"

@@ -3,8 +3,8 @@
 #include "private/output/NearestAttributes.h"
 
 #include "base/Refusal.h"
-#include "private/pipeline/FreeMemory.h"
-#include "private/pipeline/Ranks.h"
+#include "pipeline/FreeMemory.h"
+#include "pipeline/Ranks.h"
 #include "private/source/SourceParts.h"
 
 #include "vtkAbstractArray.h"

@@ -4,7 +4,7 @@
 
 #include "base/LargePages.h"
 #include "base/Refusal.h"
-#include "private/pipeline/FreeMemory.h"
+#include "pipeline/FreeMemory.h"
 #include "private/source/ContentHash.h"
 
 #include "vtkDataSetAttributes.h"

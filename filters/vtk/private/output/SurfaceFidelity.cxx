@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/output/SurfaceFidelity.h"
 
-#include "private/pipeline/FreeMemory.h"
+#include "pipeline/FreeMemory.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "private/pipeline/FreeMemory.h"
+#include "pipeline/FreeMemory.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkWindingABINamespace.h"

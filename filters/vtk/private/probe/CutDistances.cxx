@@ -4,7 +4,7 @@
 
 #include "base/Progress.h"
 #include "field/Field.h"
-#include "private/pipeline/FreeMemory.h"
+#include "pipeline/FreeMemory.h"
 #include "private/probe/ProbeQueries.h"
 #include "private/probe/ProbeWords.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/probe/ProbeQueries.h"
 
-#include "private/pipeline/FreeMemory.h"
+#include "pipeline/FreeMemory.h"
 #include "private/probe/ProbeWords.h"
 #include "private/source/CellChecks.h"
 

@@ -3,7 +3,7 @@
 #include "private/source/CellChecks.h"
 
 #include "base/Refusal.h"
-#include "private/pipeline/VtkVersions.h"
+#include "pipeline/VtkVersions.h"
 #include "private/source/CellTypes.h"
 
 #include "vtkCellArray.h"

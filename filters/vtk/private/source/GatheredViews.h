@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Views.h"
-#include "private/pipeline/Ranks.h"
+#include "pipeline/Ranks.h"
 
 #include <vector>
 

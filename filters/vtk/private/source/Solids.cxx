@@ -4,7 +4,7 @@
 
 #include "base/Executor.h"
 #include "base/Refusal.h"
-#include "private/pipeline/VtkVersions.h"
+#include "pipeline/VtkVersions.h"
 #include "private/source/CellChecks.h"
 #include "private/source/CellRegions.h"
 #include "private/source/ContentHash.h"

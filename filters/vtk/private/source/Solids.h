@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "private/pipeline/Ranks.h"
+#include "pipeline/Ranks.h"
 #include "private/source/OuterSurface.h"
 #include "private/source/RegionCells.h"
 

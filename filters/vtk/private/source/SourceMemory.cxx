@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/source/SourceMemory.h"
 
-#include "private/pipeline/FreeMemory.h"
-#include "private/pipeline/Ranks.h"
+#include "pipeline/FreeMemory.h"
+#include "pipeline/Ranks.h"
 #include "private/source/InputViews.h"
 
 #include <numeric>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/source/SourceParts.h"
 
-#include "private/pipeline/VtkVersions.h"
+#include "pipeline/VtkVersions.h"
 #include "private/source/CellChecks.h"
 #include "private/source/CellTypes.h"
 #include "private/source/OuterSurface.h"

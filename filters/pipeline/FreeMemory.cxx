@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "private/pipeline/FreeMemory.h"
+#include "pipeline/FreeMemory.h"
 
-#include "private/pipeline/HostShare.h"
+#include "pipeline/HostShare.h"
 
 #include <vtksys/SystemInformation.hxx>
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "private/pipeline/Ranks.h"
+#include "pipeline/Ranks.h"
 
 #include "base/Executor.h"
 #include "base/Refusal.h"
 #include "messages/Options.h"
-#include "private/pipeline/FreeMemory.h"
-#include "private/pipeline/HostShare.h"
+#include "pipeline/FreeMemory.h"
+#include "pipeline/HostShare.h"
 
 #include "vtkMultiProcessController.h"
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "private/pipeline/SmpExecutor.h"
+#include "pipeline/SmpExecutor.h"
 
 #include "base/ExpectedTime.h"
-#include "private/pipeline/HostShare.h"
-#include "private/pipeline/VtkVersions.h"
+#include "pipeline/HostShare.h"
+#include "pipeline/VtkVersions.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "private/pipeline/Gzip.h"
+#include "private/Gzip.h"
 
 #include "base/Executor.h"
-#include "private/pipeline/FreeMemory.h"
+#include "pipeline/FreeMemory.h"
 
 #include <vtk_zlib.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "private/pipeline/HostShare.h"
+#include "pipeline/HostShare.h"
 
 #include <atomic>
 

@@ -15,7 +15,7 @@
  *   and of faces where these are of one element, become arrays, of integers where the file has
  *   these, and so do colours of faces. Other elements and properties are passed over.
  * - STL (.stl), as text or binary: the triangles of all solids, each with three points of its own,
- *   in the order of the file. The filters of this module weld them; others may need
+ *   in the order of the file. The filters of FiltersWinding weld them; others may need
  *   vtkStaticCleanPolyData. The normals of facets and all attributes are passed over.
  * - Wavefront (.obj): vertices, faces, lines and points. Point normals "Normals" where there are as
  *   many as vertices and no corner names the normal of another vertex. Colours behind positions
@@ -81,8 +81,8 @@
 #ifndef vtkSourceReader_h
 #define vtkSourceReader_h
 
-#include "vtkFiltersWindingModule.h" // for export macro
-#include "vtkNew.h"                  // for ColumnNames
+#include "vtkIOWindingModule.h" // for export macro
+#include "vtkNew.h"             // for ColumnNames
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkWindingABINamespace.h"
 
@@ -100,7 +100,7 @@ struct PointTable;
 VTK_ABI_NAMESPACE_BEGIN
 class vtkStringArray;
 
-class VTKFILTERSWINDING_EXPORT vtkSourceReader : public vtkPolyDataAlgorithm
+class VTKIOWINDING_EXPORT vtkSourceReader : public vtkPolyDataAlgorithm
 {
 public:
   static vtkSourceReader* New();

@@ -7,10 +7,10 @@
 #include "files/PointsFile.h"
 #include "files/TableFile.h"
 #include "messages/Options.h"
-#include "private/output/HandedArrays.h"
-#include "private/pipeline/ErrorReports.h"
-#include "private/pipeline/Gzip.h"
-#include "private/pipeline/SmpExecutor.h"
+#include "pipeline/ErrorReports.h"
+#include "pipeline/SmpExecutor.h"
+#include "private/Gzip.h"
+#include "private/HandedArrays.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
@@ -18,6 +18,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkWindingNumberAlgorithm.h"
 
 #include <map>
 #include <utility>
@@ -112,6 +113,9 @@ bool vtkSourceReader::GetHasDecimalCommas() const
 int vtkSourceReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
+  // The library of the filters knows which front end this is.
+  winding::setFrontEnd(
+    static_cast<winding::FrontEnd>(vtkWindingNumberAlgorithm::GetNamesInMessages()));
   this->ErrorCode = vtkErrorCode::NoError;
   *this->Table = {};
   this->ColumnNames->Initialize();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "private/output/HandedArrays.h"
+#include "private/HandedArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -150,19 +150,6 @@ void handOver(MeshArrays& mesh, vtkPolyData* output)
   {
     addRegions(regions, output);
   }
-}
-
-vtkSmartPointer<vtkCellArray> cellsOf(vtkTypeInt64Array* ids, vtkIdType size)
-{
-  vtkNew<vtkTypeInt64Array> offsets;
-  offsets->SetNumberOfValues(ids->GetNumberOfValues() / size + 1);
-  for (vtkIdType n = 0; n < offsets->GetNumberOfValues(); ++n)
-  {
-    offsets->SetValue(n, size * n);
-  }
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(offsets, ids);
-  return cells;
 }
 
 } // namespace winding

@@ -9,9 +9,7 @@
 #include "vtkWindingABINamespace.h"
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkCellArray;
 class vtkPolyData;
-class vtkTypeInt64Array;
 VTK_ABI_NAMESPACE_END
 
 namespace winding
@@ -39,8 +37,5 @@ vtkSmartPointer<Array> handedArray(PlainArray<Number>& numbers, int components)
 /// with names in the field data, "ObjectIds", "GroupIds", "MaterialIds" and "SolidIds", colours and
 /// other numbers, as far as the mesh has them.
 void handOver(MeshArrays& mesh, vtkPolyData* output);
-
-/// Makes cells of `size` points each, which are `ids` one after the other.
-vtkSmartPointer<vtkCellArray> cellsOf(vtkTypeInt64Array* ids, vtkIdType size);
 
 } // namespace winding

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "private/pipeline/ErrorReports.h"
+#include "pipeline/ErrorReports.h"
 
 #include "base/Executor.h"
 #include "messages/Options.h"
-#include "private/pipeline/FreeMemory.h"
+#include "pipeline/FreeMemory.h"
 
 #include "vtkObject.h"
 
