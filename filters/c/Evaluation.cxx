@@ -19,10 +19,9 @@ namespace winding::c
 void evaluateInTime(const Field& field, double tolerance, std::size_t samples, Call& call,
   const std::function<void()>& work)
 {
-  constexpr double longEnoughToTell = 60;
   const double limit = call.longestExpectedTime();
   double nextLook = limit > 0 ? std::min(limit, 1.0) : 1;
-  bool isTold = false;
+  bool isAnnounced = false;
   call.executor.runByClock(work,
     [&](double elapsed, double expected)
     {
@@ -31,17 +30,11 @@ void evaluateInTime(const Field& field, double tolerance, std::size_t samples, C
         return;
       }
       nextLook = 2 * elapsed;
-      const bool isRefused = limit > 0 && expected > limit;
-      if (isRefused || (!isTold && expected > longEnoughToTell))
+      const auto advice = expectedTimeAdvice(field.info(), {expected, limit, samples, tolerance});
+      if (advice && !isAnnounced)
       {
-        isTold = true;
-        Message advice = expectedTimeAdvice(field.info(), expected, samples, tolerance);
-        if (isRefused)
-        {
-          advice.remedies.push_back(moreTime(limit));
-          throw Refusal(advice);
-        }
-        call.warn(advice);
+        isAnnounced = true;
+        call.warn(*advice);
       }
     });
 }

@@ -426,7 +426,7 @@ void vtkWindingNumberAlgorithm::Evaluate(const winding::Field& field, vtkIdType 
   const double pieces =
     samples > 0 ? static_cast<double>(this->SamplesOfResult) / static_cast<double>(samples) : 0;
   const double limit = this->LongestExpectedTime;
-  this->LongTimeIsTold = this->LongTimeIsTold && this->EarlierSeconds > 0;
+  this->LongTimeIsAnnounced = this->LongTimeIsAnnounced && this->EarlierSeconds > 0;
   this->ExpectedSeconds = this->LongestOfRanks(before);
   if (limit > 0 && this->ExpectedSeconds > limit)
   {
@@ -487,22 +487,13 @@ double vtkWindingNumberAlgorithm::LongestOfRanks(double seconds)
 /// minute.
 void vtkWindingNumberAlgorithm::CheckExpectedTime(const winding::Field& field)
 {
-  constexpr double longEnoughToTell = 60;
-  const bool isRefused =
-    this->LongestExpectedTime > 0 && this->ExpectedSeconds > this->LongestExpectedTime;
-  if (!isRefused && (this->LongTimeIsTold || this->ExpectedSeconds <= longEnoughToTell))
+  const auto advice = winding::expectedTimeAdvice(field.info(),
+    {this->ExpectedSeconds, this->LongestExpectedTime, this->SamplesOfResult, this->Tolerance});
+  if (advice && !this->LongTimeIsAnnounced)
   {
-    return;
+    this->LongTimeIsAnnounced = true;
+    vtkWarningMacro(<< this->GetSourcePrefix() << winding::lineOf(*advice));
   }
-  this->LongTimeIsTold = true;
-  winding::Message advice = winding::expectedTimeAdvice(
-    field.info(), this->ExpectedSeconds, this->SamplesOfResult, this->Tolerance);
-  if (isRefused)
-  {
-    advice.remedies.push_back(winding::moreTime(this->LongestExpectedTime));
-    throw winding::Refusal(advice);
-  }
-  vtkWarningMacro(<< this->GetSourcePrefix() << winding::lineOf(advice));
 }
 
 double vtkWindingNumberAlgorithm::GetDistanceLimit() const

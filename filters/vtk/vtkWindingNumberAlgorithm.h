@@ -670,7 +670,7 @@ private:
   std::vector<std::unique_ptr<winding::SourceField>> Sources;
   winding::SourceField* Source = nullptr; ///< the one that was chosen
   std::string SourceName;                 ///< of the source that was chosen
-  bool LongTimeIsTold = false;
+  bool LongTimeIsAnnounced = false;
   std::size_t SamplesOfResult = 0;  ///< of this rank's share of the whole result
   int InformationStatus = DONE;     ///< how the last request for information ended
   vtkMTimeType TimeOfLastError = 0; ///< of the pipeline when an error was reported; 0: none

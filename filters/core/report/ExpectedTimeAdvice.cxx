@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/ExpectedTimeAdvice.h"
 
+#include "base/Refusal.h"
 #include "farfield/FarFieldAccuracy.h"
 
 #include <cstdio>
@@ -63,19 +64,25 @@ std::vector<Remedy> fasterThan(const FieldInfo& info, double tolerance)
 
 } // namespace
 
-Message expectedTimeAdvice(
-  const FieldInfo& info, double seconds, std::size_t samples, double tolerance)
+std::optional<Message> expectedTimeAdvice(const FieldInfo& info, const ExpectedWork& work)
 {
-  return {"this takes about " + inWords(seconds), fasterThan(info, tolerance),
-    std::to_string(samples) + " samples of " + std::to_string(info.primitives) +
+  constexpr double longEnoughToSay = 60;
+  const bool isRefused = work.limit > 0 && work.seconds > work.limit;
+  if (!isRefused && work.seconds <= longEnoughToSay)
+  {
+    return std::nullopt;
+  }
+  Message advice{"this takes about " + inWords(work.seconds), fasterThan(info, work.tolerance),
+    std::to_string(work.samples) + " samples of " + std::to_string(info.primitives) +
       (info.isSurface ? " triangles" : " points") + " by the method " + nameOf(info.method)};
-}
-
-Remedy moreTime(double limit)
-{
-  char allowed[64];
-  std::snprintf(allowed, sizeof allowed, "allow more than %.4g s", limit);
-  return {allowed, {Parameter::longestExpectedTime}};
+  if (isRefused)
+  {
+    char allowed[64];
+    std::snprintf(allowed, sizeof allowed, "allow more than %.4g s", work.limit);
+    advice.remedies.push_back({allowed, {Parameter::longestExpectedTime}});
+    throw Refusal(advice);
+  }
+  return advice;
 }
 
 } // namespace winding

@@ -5,15 +5,23 @@
 #include "base/Message.h"
 #include "field/Field.h"
 
+#include <cstddef>
+#include <optional>
+
 namespace winding
 {
 
-/// Returns the message that a field of `samples` samples takes about `seconds`, and what would be
-/// faster.
-Message expectedTimeAdvice(
-  const FieldInfo& info, double seconds, std::size_t samples, double tolerance);
+/// Work on samples of a field.
+struct ExpectedWork
+{
+  double seconds = 0; ///< that it is expected to take
+  double limit = 0;   ///< the most that it may take; 0 for any
+  std::size_t samples = 0;
+  double tolerance = 0;
+};
 
-/// Returns the remedy for work that is expected to take longer than a limit in seconds.
-Remedy moreTime(double limit);
+/// Returns a message about `work` that takes more than a minute: how long it takes, and what would
+/// be faster. Throws it as a Refusal beyond the limit of `work`.
+std::optional<Message> expectedTimeAdvice(const FieldInfo& info, const ExpectedWork& work);
 
 } // namespace winding

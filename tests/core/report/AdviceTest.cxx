@@ -3,6 +3,7 @@
 #include "report/Advice.h"
 
 #include "base/Bounds.h"
+#include "base/Refusal.h"
 #include "report/ExpectedTimeAdvice.h"
 #include "source/Sanitize.h"
 #include "source/Surface.h"
@@ -253,6 +254,21 @@ TEST(Advice, OnCloudsNamesOutliers)
   EXPECT_EQ(adviceOnCloud(report), adviceOnCloud(goodReport()));
 }
 
+/// Returns the message by which `work` is refused; an empty one where it is not.
+winding::Message refusalOf(const winding::ExpectedWork& work)
+{
+  try
+  {
+    winding::expectedTimeAdvice({}, work);
+    ADD_FAILURE() << work.seconds << " s are not refused where " << work.limit << " are allowed";
+    return {};
+  }
+  catch (const winding::Refusal& refusal)
+  {
+    return refusal.message();
+  }
+}
+
 TEST(Advice, SaysTimesAsPeopleDo)
 {
   const std::pair<double, const char*> times[] = {{0.00421, "0.0042 seconds"}, {0.3, "0.3 seconds"},
@@ -260,7 +276,22 @@ TEST(Advice, SaysTimesAsPeopleDo)
     {150, "2.5 minutes"}, {6900, "115 minutes"}, {7200, "2 hours"}, {1e7, "116 days"}};
   for (const auto& [seconds, words] : times)
   {
-    EXPECT_EQ(winding::expectedTimeAdvice({}, seconds, 8, 0).fault,
-      std::string("this takes about ") + words);
+    EXPECT_EQ(refusalOf({seconds, seconds / 2}).fault, std::string("this takes about ") + words);
+  }
+}
+
+TEST(Advice, AnnouncesMoreThanAMinuteAndRefusesMoreThanTheLimit)
+{
+  using winding::expectedTimeAdvice;
+  EXPECT_FALSE(expectedTimeAdvice({}, {60}));
+  EXPECT_FALSE(expectedTimeAdvice({}, {60, 60}));
+  EXPECT_TRUE(expectedTimeAdvice({}, {60.1}));
+  EXPECT_TRUE(expectedTimeAdvice({}, {70, 70}));
+  for (const double limit : {0.5, 60.0, 70.0})
+  {
+    const winding::Message message = refusalOf({1.01 * limit, limit});
+    ASSERT_FALSE(message.remedies.empty());
+    EXPECT_EQ(
+      message.remedies.back().settings.front().parameter, winding::Parameter::longestExpectedTime);
   }
 }
