@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -94,6 +95,14 @@ TEST_F(FieldCommand, CoverageAddsItsArrays)
     between += share > 0 && share < 8;
   }
   EXPECT_GT(between, 0);
+}
+
+TEST_F(FieldCommand, PeakMemoryIsNotThatOfTheProcessThatStartedTheRun)
+{
+  const std::vector<char> held(400'000'000, 1);
+  EXPECT_EQ(held.back(), 1);
+  const double peak = run("a.vti", {"--resolution", "16"}).json()["peak_memory"];
+  EXPECT_LT(peak, 0.5 * static_cast<double>(held.size())); // 32 MB
 }
 
 TEST_F(FieldCommand, JsonHasTheNamesOfTheInterface)
