@@ -6,12 +6,14 @@ packages and wheels need, and the packages whose headers are compiled in.
 Usage: sbom.py <folder of the release> <version> <folder of the builds>
 
 Headers are the ones that ninja has recorded for the builds, libraries the ones that dpkg-shlibdeps
-found, that the wheels contain, or that they ask pip for. Versions are dpkg's. Licences alone are
-listed by hand.
+found, that the wheels contain, or that they ask pip for. Versions are dpkg's, and those that the
+unpacked ParaView and VTK SDK have in their own documents; a package that is needed and not installed
+has the version that is asked for. Licences alone are listed by hand.
 """
 
 import datetime
 import email
+import gzip
 import hashlib
 import json
 import os
@@ -36,10 +38,25 @@ def output_of(*command):
 
 
 def included_by(build):
-    """The headers of the system that the objects of a build were made of."""
+    """The headers that the objects of a build were made of, by their whole paths."""
     lines = output_of("ninja", "-C", build, "-t", "deps").splitlines()
-    headers = (line.strip() for line in lines if line.startswith("    /usr/include/"))
-    return {os.path.realpath(header) for header in headers}
+    return {os.path.normpath(build / line.strip()) for line in lines if line.startswith("    ")}
+
+
+def unpacked_paraview(sdk):
+    """The name, the version and the reference of the Debian package with ParaView's headers."""
+    with gzip.open(sdk / "usr/share/doc/paraview-dev/changelog.Debian.gz", "rt") as changes:
+        version = re.search(r"\((\S+)\)", changes.readline())[1]
+    return "paraview-dev", version, reference_of_debian("paraview-dev", version)
+
+
+def unpacked_vtk(sdk):
+    """The name, the version and the reference of the wheel with VTK's headers."""
+    metadata = email.message_from_string(next(sdk.glob("*.dist-info/METADATA")).read_text())
+    return metadata["Name"], metadata["Version"], f"pkg:pypi/{metadata['Name']}@{metadata['Version']}"
+
+
+UNPACKED = {"paraview-sdk": unpacked_paraview, "vtk-sdk": unpacked_vtk}
 
 
 def owners_of(files):
@@ -50,6 +67,10 @@ def owners_of(files):
 
 def dpkg(name, field):
     return output_of("dpkg-query", "--show", "--showformat", "${%s}" % field, name).strip()
+
+
+def reference_of_debian(name, version):
+    return f"pkg:deb/debian/{name}@{version.replace(':', '%3A').replace('+', '%2B')}"
 
 
 def hashes_of(path):
@@ -83,7 +104,20 @@ class Bill:
         source = dpkg(name, "source:Package")
         version = dpkg(name, "Version")
         return self.add(name, version, LICENCES.get(source, "NOASSERTION"),
-                        f"pkg:deb/debian/{name}@{version.replace(':', '%3A').replace('+', '%2B')}")
+                        reference_of_debian(name, version))
+
+    def add_headers(self, builds, build):
+        """Adds the packages whose headers a build has read."""
+        headers = included_by(builds / build)
+        packages = {self.add_debian(name) for name in owners_of(
+            {os.path.realpath(header) for header in headers if header.startswith("/usr/include/")})
+            if not SYSTEM.match(name)}
+        for folder, describe in UNPACKED.items():
+            if any(f"/build/{folder}/" in header for header in headers):
+                name, version, reference = describe(builds / folder)
+                packages.add(self.add(name, version, "BSD-3-Clause", reference))
+        for package in packages:
+            self.relate(package, "BUILD_DEPENDENCY_OF", identifier("winding"))
 
     def relate(self, first, relation, second):
         self.relations.add((first, relation, second))
@@ -98,9 +132,11 @@ class Bill:
 
     def add_dependencies_of_deb(self, path, file):
         for choice in output_of("dpkg-deb", "--field", path, "Depends").split(","):
-            name = choice.split()[0].split(":")[0]
-            if dpkg(name, "Version"):
-                self.relate(file, "DEPENDS_ON", self.add_debian(name))
+            name, _, version = choice.partition("|")[0].strip().partition(" ")
+            name = name.split(":")[0]
+            needed = self.add_debian(name) if dpkg(name, "Version") else self.add(
+                name, version.strip("()") or "NOASSERTION", "NOASSERTION", f"pkg:deb/debian/{name}")
+            self.relate(file, "DEPENDS_ON", needed)
 
     def add_dependencies_of_wheel(self, path, file):
         with zipfile.ZipFile(path) as wheel:
@@ -126,9 +162,7 @@ def main(root, version, builds):
     time = datetime.datetime.fromtimestamp(seconds, datetime.timezone.utc)
     bill = Bill(version)
     for build in BUILDS:
-        for name in sorted(owners_of(included_by(builds / build))):
-            if not SYSTEM.match(name):
-                bill.relate(bill.add_debian(name), "BUILD_DEPENDENCY_OF", identifier("winding"))
+        bill.add_headers(builds, build)
     for path in sorted(root.rglob("*")):
         if path.is_file() and not path.name.endswith((".spdx.json", "SHA256SUMS")):
             file = bill.add_file(path, root)

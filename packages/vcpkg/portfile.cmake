@@ -5,6 +5,7 @@
 # has read it with vcpkg's functions replaced (tests/packages/recipes_test.py). The address is a
 # placeholder, and ./dev release writes a copy with the hash of the archive that it makes. Eigen 5
 # was not tried, which vcpkg may have by now: filters/Dependencies.cmake asks for 3.4.
+vcpkg_check_linkage(ONLY_DYNAMIC_LIBRARY) # libwinding is a shared library
 vcpkg_download_distfile(ARCHIVE
   URLS "https://archive.invalid/winding-${VERSION}.tar.gz"
   FILENAME "winding-${VERSION}.tar.gz"

@@ -39,7 +39,7 @@ function(vcpkg_check_features)
   endif()
   set(${arg_OUT_FEATURE_OPTIONS} "-D${name}=${value}" PARENT_SCOPE)
 endfunction()
-foreach(name extract_source_archive cmake_configure cmake_install copy_pdbs cmake_config_fixup
+foreach(name check_linkage extract_source_archive cmake_configure cmake_install copy_pdbs cmake_config_fixup
     copy_tools fixup_pkgconfig install_copyright)
   cmake_language(EVAL CODE
     "function(vcpkg_${name})\\n  message(\\"${name} \\${ARGN}\\")\\nendfunction()")
