@@ -91,8 +91,14 @@ public:
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   }
 
-  /// Calls visit(component, cap) for every loop.
-  template <class Visit> void forEachCap(const Visit& visit) const
+  struct OwnCap
+  {
+    std::int32_t component;
+    TriangleList triangles;
+  };
+
+  /// Makes a cap for every loop.
+  std::vector<OwnCap> caps() const
   {
     BoundaryEdges chain;
     for (const Edge& edge : edges_)
@@ -103,6 +109,8 @@ public:
     }
     SerialExecutor serial;
     const BoundaryLoops loops = boundaryLoops(chain, vertices_.size(), serial);
+    std::vector<OwnCap> result;
+    result.reserve(loops.size());
     for (std::size_t i = 0; i < loops.size(); ++i)
     {
       TriangleList cap = unsidedCapOf(loops[i]);
@@ -113,8 +121,9 @@ public:
           corner = vertices_[corner].second;
         }
       }
-      visit(vertices_[loops[i][0]].first, cap);
+      result.push_back({vertices_[loops[i][0]].first, std::move(cap)});
     }
+    return result;
   }
 
 private:
@@ -142,7 +151,8 @@ private:
 
 } // namespace
 
-void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& components)
+std::vector<char> capNearlyClosed(
+  Surface& surface, const SurfaceEdges& edges, Components& components)
 {
   const double scale = unitScale(surface.bounds);
   std::vector<double> areas(components.size(), 0), capAreas(components.size(), 0);
@@ -150,34 +160,34 @@ void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& 
   {
     areas[components.ofTriangle[i]] += areaOf(surface, surface.triangles[i], scale);
   }
-  const OwnBoundaries boundaries(surface, edges, components);
-  boundaries.forEachCap(
-    [&](std::int32_t component, const TriangleList& cap)
+  const auto caps = OwnBoundaries(surface, edges, components).caps();
+  for (const auto& cap : caps)
+  {
+    for (const Triangle& triangle : cap.triangles)
     {
-      for (const Triangle& triangle : cap)
-      {
-        capAreas[component] += areaOf(surface, triangle, scale);
-      }
-    });
+      capAreas[cap.component] += areaOf(surface, triangle, scale);
+    }
+  }
   std::vector<char> isCapped(components.size(), 0);
   // A larger cap makes w differ less between the two sides of the surface, so that the side shows
   // less.
   constexpr double mostOfArea = 0.5;
-  const auto isNearlyClosed = [&](std::int32_t component)
+  for (const auto& [component, cap] : caps)
   {
-    return capAreas[component] <= mostOfArea * areas[component];
-  };
-  const std::size_t count = surface.triangles.size();
-  boundaries.forEachCap(
-    [&](std::int32_t component, const TriangleList& cap)
+    if (capAreas[component] <= mostOfArea * areas[component])
     {
-      if (isNearlyClosed(component))
-      {
-        surface.triangles.insert(surface.triangles.end(), cap.begin(), cap.end());
-        components.ofTriangle.insert(components.ofTriangle.end(), cap.size(), component);
-        isCapped[component] = components.isClosed[component] = 1;
-      }
-    });
+      surface.triangles.insert(surface.triangles.end(), cap.begin(), cap.end());
+      components.ofTriangle.insert(components.ofTriangle.end(), cap.size(), component);
+      isCapped[component] = components.isClosed[component] = 1;
+    }
+  }
+  return isCapped;
+}
+
+void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& components)
+{
+  const std::size_t count = surface.triangles.size();
+  const std::vector<char> isCapped = capNearlyClosed(surface, edges, components);
   addMiddles(surface, components, isCapped, count);
 }
 

@@ -153,7 +153,7 @@ Components nearlyClosedComponents(Surface& chain, Executor& executor)
 {
   const SurfaceEdges edges = edgesOf(chain, executor);
   Components components = componentsOf(chain, edges);
-  closeNearlyClosed(chain, edges, components);
+  capNearlyClosed(chain, edges, components);
   return components;
 }
 
