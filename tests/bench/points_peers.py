@@ -14,9 +14,10 @@ Seconds are those from a mesh and points in memory to the result, the least of s
 `winding` what --json says of preparing and evaluating; of libigl 2.6 fast_winding_number() and
 signed_distance() with signs by it; of Open3D a RaycastingScene of its own, with
 compute_occupancy() and compute_signed_distance(). All have the same points, in single precision,
-and as many threads as they take. On a machine that is busy with other work long runs wait more than
-short ones; so the processor's time stands beside, divided by the number of cores. That of `winding`
-is without what the same run takes on a cube, which reads and writes as many samples.
+and as many threads as they take; `winding` has rows on one thread, too, and MB are those of its
+whole run at the peak. On a machine that is busy with other work long runs wait more than short
+ones; so the processor's time stands beside, divided by the number of cores. That of `winding` is
+without what the same run takes on a cube, which reads and writes as many samples.
 
 "Wrong" is the share of sides unlike those of the direct sum, of 2000 points at most, by the rule
 that each has: w >= 0.5, and |w| >= 0.5 for distances of libigl. Points whose w is within twice the
@@ -24,6 +25,7 @@ tolerance of that are left out. Needs NumPy and VTK.
 """
 
 import argparse
+import functools
 import json
 import os
 import pathlib
@@ -243,9 +245,25 @@ class Peers:
             yield "Open3D, signed distance", seconds, distance < 0
 
 
-def show(mesh, samples, name, seconds, wrong):
-    print(f"| {mesh} | {samples} | {name} | {seconds[0]:.4f} | {seconds[1]:.4f} | {wrong:.2f} |",
-          flush=True)
+def show(mesh, samples, name, seconds, wrong, megabytes=""):
+    print(f"| {mesh} | {samples} | {name} | {seconds[0]:.4f} | {seconds[1]:.4f} | {wrong:.2f} | "
+          f"{megabytes} |", flush=True)
+
+
+def show_winding(mesh, samples, name, measure, inside, truth):
+    """Rows of `winding` on all threads and on one. `measure` runs it with more arguments."""
+    for threads, label in (((), name), (("--threads", 1), name + ", one thread")):
+        seconds, (report, arrays) = measure(*threads)
+        show(mesh, samples, label, seconds, truth.wrong(inside(arrays)),
+             round(report["peak_memory"] / 1e6))
+
+
+def by_number(arrays):
+    return arrays["WindingNumber"].ravel() >= 0.5
+
+
+def by_distance(arrays):
+    return arrays["SignedDistance"].ravel() < 0
 
 
 def show_distances(mesh, samples, peers, queries, truth):
@@ -259,32 +277,28 @@ def scattered(name, winding, peers, count):
     margin = 0.05 * (high - low).max()
     queries = random.uniform(low - margin, high + margin, (count, 3)).astype(np.float32)
     truth, samples = Truth(winding, queries), f"{count} points"
-    seconds, (_, arrays) = winding.at(queries)
-    show(name, samples, "winding, w", seconds, truth.wrong(arrays["WindingNumber"] >= 0.5))
+    show_winding(name, samples, "winding, w", functools.partial(winding.at, queries), by_number,
+                 truth)
     for who, seconds, inside in peers.sides(queries):
         show(name, samples, who, seconds, truth.wrong(inside))
-    seconds, (_, arrays) = winding.at(queries, "--distance")
-    show(name, samples, "winding, w and signed distance", seconds,
-         truth.wrong(arrays["SignedDistance"] < 0))
+    show_winding(name, samples, "winding, w and signed distance",
+                 functools.partial(winding.at, queries, "--distance"), by_distance, truth)
     show_distances(name, samples, peers, queries, truth)
 
 
 def on_grid(name, winding, peers, resolution):
-    size = ["--resolution", resolution]
-    field = winding.seconds("field", "field.vti", *size)
-    signed = winding.seconds("field", "signed.vti", *size, "--distance")
-    grid = field[1][0]["grid"]
+    field = functools.partial(winding.seconds, "field", "field.vti", "--resolution", resolution)
+    grid = field()[1][0]["grid"]
     axes = [origin + step * np.arange(n) for origin, step, n in
             zip(grid["origin"], grid["spacing"], grid["dimensions"])]
     queries = np.stack(np.meshgrid(*axes, indexing="ij"), -1).transpose(2, 1, 0, 3)
     queries = np.ascontiguousarray(queries.reshape(-1, 3), dtype=np.float32)
     truth, samples = Truth(winding, queries), "×".join(map(str, grid["dimensions"]))
-    show(name, samples, "winding, w", field[0],
-         truth.wrong(field[1][1]["WindingNumber"].ravel() >= 0.5))
+    show_winding(name, samples, "winding, w", field, by_number, truth)
     for who, seconds, inside in peers.sides(queries):
         show(name, samples, who, seconds, truth.wrong(inside))
-    show(name, samples, "winding, w and signed distance", signed[0],
-         truth.wrong(signed[1][1]["SignedDistance"].ravel() < 0))
+    show_winding(name, samples, "winding, w and signed distance",
+                 functools.partial(field, "--distance"), by_distance, truth)
     show_distances(name, samples, peers, queries, truth)
 
 
@@ -297,7 +311,8 @@ def main():
     parser.add_argument("--grid", type=int, default=128)
     parser.add_argument("--meshes", nargs="*", choices=MESHES, default=list(MESHES))
     options = parser.parse_args()
-    print("| mesh | samples | | s | processor s | wrong % |\n|---|---|---|---|---|---|")
+    print("| mesh | samples | | s | processor s | wrong % | MB |\n"
+          "|---|---|---|---|---|---|---|")
     for name in options.meshes:
         path = MESHES[name]
         points, triangles = read(options.folder / path) if path else room(options.folder)
