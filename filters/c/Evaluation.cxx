@@ -218,6 +218,7 @@ winding_status winding_evaluate_grid(const winding_field* field, const winding_g
       voxels.coverage = static_cast<winding::Coverage>(wished.coverage);
       voxels.samplesPerAxis = wished.coverage_samples;
       voxels.fractions = wished.fractions;
+      voxels.united = wished.united;
       voxels.output = outputOf(wished, inside);
       voxels.output.sides = &sides;
       if (wished.gradient)
@@ -227,6 +228,10 @@ winding_status winding_evaluate_grid(const winding_field* field, const winding_g
       if ((voxels.coverage == winding::Coverage::fraction) != (wished.fractions != nullptr))
       {
         throw Misuse("values.fractions goes with WINDING_COVERAGE_FRACTION");
+      }
+      if (wished.united && !wished.fractions)
+      {
+        throw Misuse("values.united goes with values.fractions");
       }
       // Voxels by coverage, and warnings of the whole grid, need an array of what is inside.
       const bool isWhole = part == samples.wholeExtent();
@@ -278,9 +283,9 @@ winding_status winding_evaluate_points(const winding_field* field, winding_array
       const winding_rule inside = known(rule, defaultRule());
       const winding_values wished = known(&required(values, "values"), defaultValues());
       const winding::VectorsView samples = vectorsOf(points, "points");
-      if (wished.fractions || wished.coverage != WINDING_COVERAGE_CENTER)
+      if (wished.fractions || wished.united || wished.coverage != WINDING_COVERAGE_CENTER)
       {
-        throw Misuse("values.fractions and values.coverage are for grids only");
+        throw Misuse("values.fractions, values.united and values.coverage are for grids only");
       }
       Call call(run);
       winding::SideTally sides;

@@ -414,6 +414,11 @@ extern "C"
     int32_t coverage_samples; /**< along each axis, for fractions, 1 to 10. Default: 4 */
     int64_t inside_count;     /**< receives the number of samples inside */
     int32_t without_advice;   /**< whether nothing is said about the grid. Default: 0 */
+    /** For fractions: (coverage_samples³ + 63) / 64 words for each voxel, with a bit for each
+     * sample. A call sets the bits of samples inside, and fractions count all bits that are set:
+     * what several fields cover of a voxel, evaluated one by one from words of 0 on. Inside is at
+     * least half of it. Null, the default, counts the samples of this field. */
+    uint64_t* united;
   } winding_values;
 
   /**

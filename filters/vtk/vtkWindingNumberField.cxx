@@ -16,12 +16,14 @@
 #include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
 #include "source/Grid.h"
+#include "voxels/SampleBits.h"
 #include "voxels/VoxelEvaluation.h"
 
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 vtkStandardNewMacro(vtkWindingNumberField);
@@ -121,10 +123,20 @@ std::size_t vtkWindingNumberField::GetAdditionalBytes(
   const winding::Field& field, vtkIdType samples)
 {
   const winding::FieldInfo& info = field.info();
-  return this->Superclass::GetAdditionalBytes(field, samples) +
-         (this->GenerateNearestCells
-             ? winding::NearestAttributes::bytesFor(info.isSurface, info.inputPrimitives)
-             : 0);
+  std::size_t bytes = this->Superclass::GetAdditionalBytes(field, samples);
+  if (this->GenerateNearestCells)
+  {
+    bytes += winding::NearestAttributes::bytesFor(info.isSurface, info.inputPrimitives);
+  }
+  return bytes + this->GetSweptWords(samples) * sizeof(std::uint64_t);
+}
+
+std::size_t vtkWindingNumberField::GetSweptWords(vtkIdType voxels) const
+{
+  return this->SweptSamples && this->Coverage == FRACTION
+           ? static_cast<std::size_t>(voxels) *
+               winding::SampleBits::wordsPerVoxel(this->CoverageSamples)
+           : 0;
 }
 
 void vtkWindingNumberField::AddNearestCells(
@@ -164,12 +176,20 @@ void vtkWindingNumberField::EvaluateVoxels(
   voxels.fractions = results.coverage() ? results.coverage()->GetPointer(0) : nullptr;
 
   const std::size_t count = winding::sampleCount(samples);
+  const std::size_t sweptWords = this->GetSweptWords(static_cast<vtkIdType>(count));
   if (voxels.coverage != winding::Coverage::center)
   {
-    winding::refuseBeyondFreeMemory(this->GetResultBytes(static_cast<vtkIdType>(count)) +
-                                      static_cast<double>(voxels.additionalBytes(field, count)),
+    const std::size_t additional =
+      voxels.additionalBytes(field, count) + sweptWords * sizeof(std::uint64_t);
+    winding::refuseBeyondFreeMemory(
+      this->GetResultBytes(static_cast<vtkIdType>(count)) + static_cast<double>(additional),
       "the coverage of " + std::to_string(count) + " voxels",
       {winding::largerVoxels(), winding::inPieces()});
+  }
+  if (sweptWords > 0)
+  {
+    this->SweptSamples->resize(sweptWords);
+    voxels.united = this->SweptSamples->data();
   }
   this->Evaluate(field, static_cast<vtkIdType>(count), executor,
     [&]

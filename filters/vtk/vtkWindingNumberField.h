@@ -156,6 +156,8 @@ protected:
   double GetDistanceLimit() const override;
   double GetResultBytes(vtkIdType samples) const override;
   std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
+  /// Returns how many words of bits the samples of voxels have, while times are united.
+  std::size_t GetSweptWords(vtkIdType voxels) const;
 
   vtkTypeBool GenerateWindingNumber = 1;
   vtkTypeBool GenerateInside = 0;

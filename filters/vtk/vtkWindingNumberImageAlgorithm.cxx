@@ -312,6 +312,8 @@ bool vtkWindingNumberImageAlgorithm::MakeUnion(
   vtkInformation* outInfo, const winding::Extent& samples, vtkImageData* image)
 {
   const winding::Temporarily<double> runsLeft(this->RunsLeft, 1), earlier(this->EarlierSeconds, 0);
+  const winding::Temporarily<decltype(this->SweptSamples)> swept(
+    this->SweptSamples, std::vector<std::uint64_t>());
   winding::DistinctWarnings warnings(this);
   return this->ForEachTime(outInfo,
     [&](std::size_t number, std::size_t count)

@@ -31,6 +31,10 @@
 #include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberGridAlgorithm.h"
 
+#include <cstdint>  // for bits of samples
+#include <optional> // for the same
+#include <vector>   // for the same
+
 namespace winding
 {
 struct VoxelEvaluation;
@@ -118,10 +122,10 @@ public:
    *
    * A sample is inside where it is at any time. It has w of the time at which it is farthest inside
    * by the rule, so that the contour of w bounds the union. Distances are the least:
-   * exact outside, and inside at most as far as the surface of the union is. "Coverage" is the
-   * largest share of any time, which is less than what the sweep covers. A voxel keeps the label of
-   * the first time at which it has one; each label's share and the counts of solids are the
-   * largest, and the two largest shares come from the time with the largest first one. Solids have
+   * exact outside, and inside at most as far as the surface of the union is. "Coverage" of a field
+   * is the share of a voxel's samples that are inside at any time. A voxel keeps the label of the
+   * first time at which it has one; each label's share and the counts of solids are the largest of
+   * any time, and the two largest shares come from the time with the largest first one. Solids have
    * to be the same at all times at which there are any. Nearest cells are refused.
    *
    * Facts about the execution, of its verification too, are about the last time. Warnings come at
@@ -187,6 +191,8 @@ protected:
   int Coverage = CENTER;
   int CoverageSamples = 4;
   vtkTypeBool UnionOverAllTimes = 0;
+  /// Bits of samples that were inside at earlier times, while times are united.
+  std::optional<std::vector<std::uint64_t>> SweptSamples;
 
 private:
   bool MakeUnion(vtkInformation* outInfo, const std::array<int, 6>& samples, vtkImageData* image);

@@ -117,7 +117,8 @@ class Values(Sized):
                 ("inside", ctypes.c_void_p), ("distance", ctypes.c_void_p),
                 ("gradient", ctypes.c_void_p), ("fractions", ctypes.c_void_p),
                 ("distance_limit", _double), ("coverage", _int32), ("coverage_samples", _int32),
-                ("inside_count", _int64), ("without_advice", _int32)]
+                ("inside_count", _int64), ("without_advice", _int32),
+                ("united", ctypes.c_void_p)]
 
 
 class MeshArrays(Sized):

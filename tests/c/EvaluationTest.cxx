@@ -98,6 +98,50 @@ TEST(Grids, HaveCoverageOfVoxels)
     WINDING_MISUSED);
 }
 
+TEST(Grids, HaveTheShareThatSeveralFieldsCover)
+{
+  // Two slabs cover the lower and the middle half of the voxels.
+  const auto slab = [](double from, double to)
+  {
+    return fieldOf(shapes::cube().mapped(
+      [=](const Point& p) { return Point(p.x(), p.y(), from + (to - from) * p.z()); }));
+  };
+  const winding_grid grid = {{0.25, 0.25, 0.5}, {0.5, 0.5, 1}, {2, 2, 1}};
+  std::vector<float> shares(4);
+  for (const int32_t samples : {4, 8})
+  {
+    std::vector<std::uint64_t> bits(samples == 4 ? 4 : 32, 0);
+    auto values = with(winding_values_init);
+    values.fractions = shares.data();
+    values.coverage = WINDING_COVERAGE_FRACTION;
+    values.coverage_samples = samples;
+    values.united = bits.data();
+    const auto evaluate = [&](const Field& field)
+    {
+      return winding_evaluate_grid(field.get(), &grid, nullptr, nullptr, &values, nullptr, nullptr);
+    };
+    ASSERT_EQ(evaluate(slab(0, 0.5)), WINDING_OK);
+    EXPECT_EQ(shares, std::vector<float>(4, 0.5F));
+    ASSERT_EQ(evaluate(slab(0.25, 0.75)), WINDING_OK);
+    EXPECT_EQ(shares, std::vector<float>(4, 0.75F));
+    values.united = nullptr;
+    ASSERT_EQ(evaluate(slab(0.25, 0.75)), WINDING_OK);
+    EXPECT_EQ(shares, std::vector<float>(4, 0.5F)) << "of one field alone";
+  }
+
+  std::uint64_t word = 0;
+  auto values = with(winding_values_init);
+  values.united = &word;
+  const Field field = slab(0, 1);
+  EXPECT_EQ(winding_evaluate_grid(field.get(), &grid, nullptr, nullptr, &values, nullptr, nullptr),
+    WINDING_MISUSED)
+    << "without fractions";
+  const double point[3] = {0, 0, 0};
+  EXPECT_EQ(winding_evaluate_points(
+              field.get(), {point, 1, 0, WINDING_FLOAT64}, nullptr, &values, nullptr, nullptr),
+    WINDING_MISUSED);
+}
+
 TEST(Grids, SayWhatMakesTheResultDiffer)
 {
   const auto warningsOf = [](const Mesh& mesh, const winding_grid& grid, double threshold)

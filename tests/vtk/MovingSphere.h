@@ -10,7 +10,8 @@
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-/// A sphere whose centre moves by 10 along x and whose radius grows by its half from time to time.
+/// A sphere whose centre moves along x, by 10 unless it is set, and whose radius grows by its half
+/// from time to time.
 class MovingSphere : public vtkPolyDataAlgorithm
 {
 public:
@@ -18,6 +19,19 @@ public:
   vtkTypeMacro(MovingSphere, vtkPolyDataAlgorithm);
 
   void SetResolution(int resolution) { resolution_ = resolution; }
+
+  void SetStep(double step)
+  {
+    step_ = step;
+    this->Modified();
+  }
+
+  /// Opens the sphere below an angle of less than 180 degrees from its north pole.
+  void SetEndPhi(double degrees)
+  {
+    endPhi_ = degrees;
+    this->Modified();
+  }
 
 protected:
   MovingSphere() { this->SetNumberOfInputPorts(0); }
@@ -37,10 +51,11 @@ protected:
     vtkInformation* info = outputs->GetInformationObject(0);
     vtkNew<vtkSphereSource> sphere;
     const double time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
-    sphere->SetCenter(10 * time, 0, 0);
+    sphere->SetCenter(step_ * time, 0, 0);
     sphere->SetRadius(0.5 + 0.25 * time);
     sphere->SetThetaResolution(resolution_);
     sphere->SetPhiResolution(resolution_);
+    sphere->SetEndPhi(endPhi_);
     sphere->Update();
     vtkPolyData::GetData(info)->ShallowCopy(sphere->GetOutput());
     return 1;
@@ -48,4 +63,6 @@ protected:
 
 private:
   int resolution_ = 24;
+  double step_ = 10;
+  double endPhi_ = 180;
 };

@@ -241,6 +241,69 @@ TEST_F(Time, UnionOverAllTimesIsTheSweptVolume)
   }
 }
 
+/// The share of a voxel that a sweep covers is that of its samples inside at any time: more than at
+/// each time alone.
+TEST_F(Time, UnionOverAllTimesHasTheShareThatIsSwept)
+{
+  sphere->SetStep(1);
+  constexpr int k = 3, dimensions[3] = {11, 15, 13};
+  const double bounds[6] = {-0.8, 3.3, -1.2, 1.1, -1.1, 1.2};
+  vtkNew<vtkWindingNumberField> swept, single;
+  for (vtkWindingNumberField* field : {swept.Get(), single.Get()})
+  {
+    field->SetInputConnection(sphere->GetOutputPort());
+    field->UseInputBoundsOff();
+    field->SetSamplingBounds(bounds);
+  }
+  swept->SetSamplingDimensions(dimensions[0], dimensions[1], dimensions[2]);
+  swept->SetCoverageToFraction();
+  swept->SetCoverageSamples(k);
+  swept->GenerateWindingNumberOff();
+  swept->UnionOverAllTimesOn();
+  single->SetSamplingDimensions(k * dimensions[0], k * dimensions[1], k * dimensions[2]);
+  single->GenerateInsideOn();
+  for (const bool isOpen : {false, true})
+  {
+    sphere->SetEndPhi(isOpen ? 150 : 180);
+    std::vector<double> shares(dimensions[0] * dimensions[1] * dimensions[2], 0), most = shares;
+    std::vector<char> isSwept(k * k * k * shares.size(), 0);
+    for (const int time : {0, 1, 2})
+    {
+      single->UpdateTimeStep(time);
+      vtkDataArray* inside = single->GetOutput()->GetPointData()->GetArray("Inside");
+      std::vector<double> now(shares.size(), 0);
+      std::fill(shares.begin(), shares.end(), 0);
+      for (std::size_t n = 0; n < isSwept.size(); ++n)
+      {
+        const std::size_t width = k * dimensions[0], height = k * dimensions[1];
+        const std::size_t i = n % width / k, j = n / width % height / k,
+                          l = n / (width * height) / k;
+        const std::size_t voxel = i + dimensions[0] * (j + dimensions[1] * l);
+        const bool isInside = inside->GetComponent(static_cast<vtkIdType>(n), 0) != 0;
+        isSwept[n] |= static_cast<char>(isInside);
+        now[voxel] += isInside;
+        shares[voxel] += isSwept[n];
+      }
+      std::transform(most.begin(), most.end(), now.begin(), most.begin(),
+        [](double one, double other) { return std::max(one, other); });
+    }
+    swept->Update();
+    vtkPointData* data = swept->GetOutput()->GetPointData();
+    int larger = 0, halves = 0;
+    for (std::size_t n = 0; n < shares.size(); ++n)
+    {
+      const auto id = static_cast<vtkIdType>(n);
+      ASSERT_EQ(
+        std::lround(k * k * k * data->GetArray("Coverage")->GetComponent(id, 0)), shares[n]);
+      ASSERT_EQ(data->GetArray("Inside")->GetComponent(id, 0), 2 * shares[n] >= k * k * k);
+      larger += shares[n] > most[n];
+      halves += 2 * shares[n] >= k * k * k && 2 * most[n] < k * k * k;
+    }
+    EXPECT_GT(larger, 30);
+    EXPECT_GT(halves, 0);
+  }
+}
+
 TEST_F(Time, UnionOverAllTimesKeepsLabelsOfEveryTime)
 {
   vtkNew<vtkWindingNumberLabels> labels;

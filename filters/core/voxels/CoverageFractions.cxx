@@ -70,16 +70,34 @@ private:
   std::vector<int> steps_; ///< change of the count of whole voxels at each voxel
 };
 
+/// Sets the bits of samples begin … end − 1 of a row of samples, numbered from its first one. The
+/// row is the one with this number in each voxel, and `first` is the row's first voxel.
+void setBits(
+  const SampleBits& bits, std::size_t first, int row, int begin, int end, int samplesPerAxis)
+{
+  const auto upTo = [](int count)
+  {
+    return (std::uint64_t{1} << count) - 1;
+  };
+  for (int voxel = begin / samplesPerAxis; voxel * samplesPerAxis < end; ++voxel)
+  {
+    const int start = voxel * samplesPerAxis;
+    bits.set(first + static_cast<std::size_t>(voxel), row,
+      upTo(std::min(end - start, samplesPerAxis)) & ~upTo(std::max(begin - start, 0)));
+  }
+}
+
 } // namespace
 
 CoverageFractions::CoverageFractions(const Field& field, const Grid& grid, const Extent& extent,
-  int samplesPerAxis, InsideRule rule, double threshold, float* fractions)
+  int samplesPerAxis, InsideRule rule, double threshold, float* fractions, std::uint64_t* united)
   : field_(field)
   , extent_(extent)
   , perAxis_(samplesPerAxis)
   , rule_(rule)
   , threshold_(threshold)
   , fractions_(fractions)
+  , united_(united, samplesPerAxis)
 {
   if (grid.dimensions.maxCoeff() > std::numeric_limits<int>::max() / perAxis_)
   {
@@ -158,6 +176,26 @@ void CoverageFractions::evaluate(int part, Executor& executor) const
   this->addUpSamples(this->extentOf(part), executor);
 }
 
+/// Sets the bits of a row of `width` samples, 0 or 1 each, in voxels from `first` on, if there are
+/// bits.
+void CoverageFractions::unite(
+  const unsigned char* inside, std::size_t first, int row, std::size_t width) const
+{
+  if (!united_)
+  {
+    return;
+  }
+  for (std::size_t voxel = first; width > 0; ++voxel, width -= static_cast<std::size_t>(perAxis_))
+  {
+    std::uint64_t mask = 0;
+    for (int n = 0; n < perAxis_; ++n)
+    {
+      mask |= std::uint64_t{*inside++} << n;
+    }
+    united_.set(voxel, row, mask);
+  }
+}
+
 void CoverageFractions::addUpRows(const RowCrossings& rows, Executor& executor) const
 {
   const Extent samples = this->samplesOf(extent_);
@@ -181,14 +219,24 @@ void CoverageFractions::addUpRows(const RowCrossings& rows, Executor& executor) 
       const int firstRow = firstSampleRow / perAxis_;
       const int rowCount = std::min(rowsPerBand, extent_[3] - firstRow + 1);
       SampleCounts counts(width, rowCount, perAxis_);
-      const auto add = [&](int j, int, const std::vector<RowRun>& runs)
+      const auto add = [&](int j, int sampleK, const std::vector<RowRun>& runs)
       {
+        const int row = (j - firstSampleRow) / perAxis_;
+        const int rowInVoxel = sampleK % perAxis_ * perAxis_ + j % perAxis_;
+        const std::size_t first = sampleNumber(extent_, extent_[0], firstRow + row, k);
         for (const RowRun& run : runs)
         {
           if (isInside(run.value, rule_, threshold_))
           {
-            counts.add(
-              (j - firstSampleRow) / perAxis_, run.begin - samples[0], run.end - samples[0]);
+            const int begin = run.begin - samples[0], end = run.end - samples[0];
+            if (united_)
+            {
+              setBits(united_, first, rowInVoxel, begin, end, perAxis_);
+            }
+            else
+            {
+              counts.add(row, begin, end);
+            }
           }
         }
       };
@@ -198,8 +246,9 @@ void CoverageFractions::addUpRows(const RowCrossings& rows, Executor& executor) 
       }
       for (int row = 0; row < rowCount; ++row)
       {
-        float* const fractions = fractions_ + sampleNumber(extent_, extent_[0], firstRow + row, k);
-        counts.forEach(row, [&](std::size_t i, int count) { fractions[i] = this->share(count); });
+        const std::size_t first = sampleNumber(extent_, extent_[0], firstRow + row, k);
+        counts.forEach(row, [&](std::size_t i, int count)
+          { fractions_[first + i] = this->share(united_ ? united_.count(first + i) : count); });
       }
     });
 }
@@ -233,17 +282,18 @@ void CoverageFractions::addUpSamples(const Extent& voxels, Executor& executor) c
           {
             columns[i] = static_cast<unsigned char>(columns[i] + from[i]);
           }
+          this->unite(from, sampleNumber(extent_, voxels[0], j, k), row, width);
         }
-        float* const fractions = fractions_ + sampleNumber(extent_, voxels[0], j, k);
+        const std::size_t first = sampleNumber(extent_, voxels[0], j, k);
         const unsigned char* column = columns.data();
-        for (int i = voxels[0]; i <= voxels[1]; ++i)
+        for (std::size_t voxel = first; column != columns.data() + width; ++voxel)
         {
           int count = 0;
           for (int n = 0; n < perAxis_; ++n)
           {
             count += *column++;
           }
-          fractions[i - voxels[0]] = this->share(count);
+          fractions_[voxel] = this->share(united_ ? united_.count(voxel) : count);
         }
       }
     },

@@ -4,6 +4,9 @@
 
 #include "base/Executor.h"
 #include "field/Field.h"
+#include "voxels/SampleBits.h"
+
+#include <cstdint>
 
 namespace winding
 {
@@ -24,7 +27,10 @@ class RowCrossings;
  * samples does, and takes a byte for each sample of a part, 64 MiB at most unless one row of voxels
  * is more.
  *
- * Guaranteed: the bits are the same for any extent, executor and number of threads. A sample is
+ * With bits of samples, a field sets the bits of what is inside, and all bits that are set count:
+ * the share of a voxel that several fields cover, evaluated one after the other.
+ *
+ * Guaranteed: the shares are the same for any extent, executor and number of threads. A sample is
  * inside by its value as an array of floats stores it.
  */
 class CoverageFractions
@@ -34,11 +40,11 @@ public:
   /// in bytes, which hold 255.
   static constexpr int mostSamples = 10;
 
-  /// samplesPerAxis is k, 1 to mostSamples; fractions gets a number for each sample of the extent.
-  /// References and pointers are kept. Throws Refusal for a grid too fine for its samples to be
-  /// numbered.
+  /// `samplesPerAxis` is k, 1 to mostSamples; `fractions` gets a number for each voxel of the
+  /// extent, and `united` has the bits of its samples, unless it is null. References and pointers
+  /// are kept. Throws Refusal for a grid too fine for its samples to be numbered.
   CoverageFractions(const Field& field, const Grid& grid, const Extent& extent, int samplesPerAxis,
-    InsideRule rule, double threshold, float* fractions);
+    InsideRule rule, double threshold, float* fractions, std::uint64_t* united = nullptr);
 
   /// The number of parts, which take about the same time each.
   int parts() const { return partsAlongY_ * partsAlongZ_; }
@@ -51,6 +57,7 @@ private:
   Extent samplesOf(const Extent& voxels) const;
   void addUpRows(const RowCrossings& rows, Executor& executor) const;
   void addUpSamples(const Extent& voxels, Executor& executor) const;
+  void unite(const unsigned char* inside, std::size_t first, int row, std::size_t width) const;
   float share(int samples) const;
 
   const Field& field_;
@@ -60,6 +67,7 @@ private:
   InsideRule rule_;
   double threshold_;
   float* fractions_;
+  SampleBits united_;
   int partsAlongY_ = 1, partsAlongZ_ = 1;
   int rowsPerPart_ = 0, layersPerPart_ = 0;
 };

@@ -59,7 +59,7 @@ void VoxelEvaluation::evaluateFractions(
 {
   Progress progress(executor);
   const CoverageFractions sampling(
-    field, grid, extent, samplesPerAxis, output.rule, output.threshold, fractions);
+    field, grid, extent, samplesPerAxis, output.rule, output.threshold, fractions, united);
   const double parts = sampling.parts();
   for (int part = 0; part < sampling.parts(); ++part)
   {

@@ -4,6 +4,8 @@
 
 #include "field/Field.h"
 
+#include <cstdint>
+
 namespace winding
 {
 
@@ -19,9 +21,10 @@ enum class Coverage
 struct VoxelEvaluation
 {
   Coverage coverage = Coverage::center;
-  int samplesPerAxis = 4;     ///< for fractions; see CoverageFractions.h
-  FieldOutput output;         ///< values at the centres, and inside for whole voxels
-  float* fractions = nullptr; ///< shares of the voxels; set for fractions only
+  int samplesPerAxis = 4;          ///< for fractions; see CoverageFractions.h
+  FieldOutput output;              ///< values at the centres, and inside for whole voxels
+  float* fractions = nullptr;      ///< shares of the voxels; set for fractions only
+  std::uint64_t* united = nullptr; ///< bits of samples (SampleBits.h), for shares of several fields
 
   /// Returns the memory that is expected in addition to the field of `voxels` voxels.
   std::size_t additionalBytes(const Field& field, std::size_t voxels) const;

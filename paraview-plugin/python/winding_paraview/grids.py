@@ -298,6 +298,7 @@ class ImageAlgorithm(GridAlgorithm):
         super().__init__("vtkImageData", ports=2)
         self.information_status = DONE
         self.like = None  # the place of the image to lie on, without arrays
+        self.swept_samples = None  # bits of samples that were inside at earlier times
 
     def active_scalar_type(self):
         raise NotImplementedError
@@ -325,17 +326,23 @@ class ImageAlgorithm(GridAlgorithm):
         count = len(self._times()[0]) if self.is_of_all_times() else 0
         if not count:
             return False
-        with self.distinct_warnings(), contextlib.closing(self.for_each_time(out_info)) as steps:
-            for number, _ in enumerate(steps):
-                self.check_union()
-                self.take_turn(number, count)
-                part = vtkImageData()
-                part.CopyStructure(image)
-                self.make_image(self.source(), ranks, grid, extent, part, self._attributes_of(part))
-                if number == 0:
-                    image.ShallowCopy(part)
-                else:
-                    self.unite_times(image, part)
+        self.swept_samples = ()
+        try:
+            with (self.distinct_warnings(),
+                  contextlib.closing(self.for_each_time(out_info)) as steps):
+                for number, _ in enumerate(steps):
+                    self.check_union()
+                    self.take_turn(number, count)
+                    part = vtkImageData()
+                    part.CopyStructure(image)
+                    self.make_image(
+                        self.source(), ranks, grid, extent, part, self._attributes_of(part))
+                    if number == 0:
+                        image.ShallowCopy(part)
+                    else:
+                        self.unite_times(image, part)
+        finally:
+            self.swept_samples = None
         return True
 
     def FillInputPortInformation(self, port, info):
@@ -588,6 +595,11 @@ class WindingNumberField(ImageAlgorithm):
         band = self.value("DistanceBand")
         values = results.values(coverage=coverage, coverage_samples=self.value("CoverageSamples"),
                                 distance_limit=band * max(grid.spacing))
+        if self.swept_samples is not None and coverage == FRACTION:
+            if not len(self.swept_samples):
+                words = (self.value("CoverageSamples") ** 3 + 63) // 64
+                self.swept_samples = np.zeros(words * count, dtype=np.uint64)
+            values.united = self.swept_samples.ctypes.data
         self.inside_count = 0
         self.verification = None
         if count:

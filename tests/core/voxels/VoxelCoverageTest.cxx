@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 
 /**
  * These tests compare which parts of voxels are inside with w at single points, summed by
@@ -303,6 +305,57 @@ TEST(CoverageFractions, ManySamplesComeInParts)
     EXPECT_TRUE(std::equal(expected.begin(), expected.end(),
       fractions.begin() +
         static_cast<std::ptrdiff_t>(winding::sampleNumber(grid.wholeExtent(), 0, 20, k))));
+  }
+}
+
+/// The bits of one field after the other have the share of samples that are inside of any.
+TEST(CoverageFractions, BitsUniteFields)
+{
+  winding::SerialExecutor serial;
+  const std::shared_ptr<const Field> fields[] = {fieldOf(icosphere(2)),
+    fieldOf(icosphere(2).mapped([](const Point& p) { return Point(p + Point(0.7, 0.2, 0.1)); })),
+    fieldOf(openCube()), fieldOf(triangleSoup(40, 3))};
+  const Grid grid = gridOf(*fields[0], {9, 7, 8});
+  for (const Extent& extent : {grid.wholeExtent(), Extent{2, 8, 1, 3, 3, 6}})
+  {
+    const std::size_t count = winding::sampleCount(extent);
+    for (const int k : {1, 2, 4, 5, 7, 10})
+    {
+      Grid samples = grid;
+      samples.dimensions *= k;
+      samples.spacing /= k;
+      samples.firstSample -= 0.5 * (grid.spacing - samples.spacing);
+      std::vector<std::uint64_t> words(count * winding::SampleBits::wordsPerVoxel(k), 0);
+      std::vector<unsigned char> any(winding::sampleCount(samples.wholeExtent()), 0);
+      for (const std::shared_ptr<const Field>& field : fields)
+      {
+        std::vector<unsigned char> inside(any.size());
+        winding::FieldOutput output;
+        output.inside = inside.data();
+        field->evaluate(samples, samples.wholeExtent(), output, serial);
+        std::transform(any.begin(), any.end(), inside.begin(), any.begin(), std::logical_or<>());
+        std::vector<float> fractions(count, -1);
+        const winding::CoverageFractions sampling(*field, grid, extent, k,
+          InsideRule::signedThreshold, 0.5, fractions.data(), words.data());
+        for (int part = 0; part < sampling.parts(); ++part)
+        {
+          sampling.evaluate(part, serial);
+        }
+        std::vector<float> expected(count, 0);
+        for (std::size_t n = 0; n < count; ++n)
+        {
+          const Eigen::Vector3i voxel = winding::sampleIndex(extent, n);
+          for (int sample = 0; sample < k * k * k; ++sample)
+          {
+            expected[n] +=
+              any[winding::sampleNumber(samples.wholeExtent(), k * voxel[0] + sample % k,
+                k * voxel[1] + sample / k % k, k * voxel[2] + sample / (k * k))];
+          }
+          expected[n] /= static_cast<float>(k * k * k);
+        }
+        ASSERT_EQ(fractions, expected) << k;
+      }
+    }
   }
 }
 
