@@ -27,8 +27,8 @@ class RowCrossings;
  * samples does, and takes a byte for each sample of a part, 64 MiB at most unless one row of voxels
  * is more.
  *
- * With bits of samples, a field sets the bits of what is inside, and all bits that are set count:
- * the share of a voxel that several fields cover, evaluated one after the other.
+ * Bits of samples keep what earlier fields have inside. Then the shares are what several fields
+ * cover, evaluated one after the other.
  *
  * Guaranteed: the shares are the same for any extent, executor and number of threads. A sample is
  * inside by its value as an array of floats stores it.
