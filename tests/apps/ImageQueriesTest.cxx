@@ -205,10 +205,11 @@ TEST(ImageQueries, OfNrrdMayHaveEndsOfAxes)
 {
   const TemporaryFolder folder;
   const std::string in = folder.write("in.off", asOff(sphere(1))), out = folder.path("out.vti");
-  const auto expectFirst = [&](const std::string& fields, const std::array<double, 3>& expected)
+  const auto expectFirst = [&](const std::string& fields, const std::array<double, 3>& expected,
+                             const std::string& axes = "dimension: 3\nsizes: 3 4 5\n")
   {
-    const std::string image = folder.write("a.nrrd",
-      "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 3 4 5\n" + fields + "\nencoding: raw\n\n");
+    const std::string image =
+      folder.write("a.nrrd", "NRRD0004\ntype: uchar\n" + axes + fields + "\nencoding: raw\n\n");
     const Outcome run = runProgram({"probe", in, image, "-o", out});
     ASSERT_EQ(run.status, 0) << run;
     vtkNew<vtkXMLImageDataReader> reader;
@@ -225,6 +226,8 @@ TEST(ImageQueries, OfNrrdMayHaveEndsOfAxes)
   expectFirst(spacings + mins + "centers: node cell ???", {3, -8.35, 0.85});
   expectFirst(spacings + "Axis Mins: 3 -9 0\naxismaxs: 9 9 9", {3.55, -8.35, 0.85});
   expectFirst(mins + "axis maxs: 6 3 15", {3.5, -7.5, 1.5});
+  expectFirst("spacings: nan 1.1 1.3 1.7\naxis mins: nan 3 -9 0\ncenters: ??? node cell node",
+    {3, -8.35, 0}, "dimension: 4\nsizes: 3 3 4 5\nkinds: RGB-color domain domain domain\n");
 }
 
 TEST(ImageQueries, OfVtkKeepTheirArrays)

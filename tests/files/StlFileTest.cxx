@@ -149,6 +149,28 @@ TEST(StlFile, SolidsBehindEachOther)
   EXPECT_EQ(mesh.regions[0].names, (std::vector<std::string>{"a", "Geh\xC3\xA4use"}));
 }
 
+/// Solids of large files begin in blocks of their own.
+TEST(StlFile, SolidsMayBeginInAnyBlock)
+{
+  const std::string part = textFile(5000);
+  ASSERT_GT(part.size(), LineBlocks::usualBytes);
+  std::string text;
+  for (const char* name : {"a", "b", "c"})
+  {
+    text += std::string("solid ") + name + part.substr(part.find('\n'));
+  }
+  shapes::ShuffledThreads threads(1);
+  const MeshArrays mesh = parsed(readStl, text, threads);
+  ASSERT_EQ(mesh.regions.size(), 1u);
+  EXPECT_EQ(mesh.regions[0].names, (std::vector<std::string>{"a", "b", "c"}));
+  const std::vector<std::int32_t> solids = vectorOf(mesh.regions[0].ofPolygon);
+  ASSERT_EQ(solids.size(), 15000u);
+  for (std::size_t i = 0; i < solids.size(); ++i)
+  {
+    ASSERT_EQ(solids[i], static_cast<std::int32_t>(i / 5000)) << i;
+  }
+}
+
 TEST(StlFile, BinariesMayBeginLikeText)
 {
   std::string binary = binaryFile(3);

@@ -247,6 +247,17 @@ def of_times(folder):
             Coverage="Half Inside", CoverageArrays=arrays))
 
 
+def of_files(folder):
+    """Faces of groups between lines and points, which belong to none."""
+    for name, others in (("lines", "l 1 2 3\nl 2 3\n"), ("points", "p 1\np 2\n"),
+                         ("both", "l 1 2\np 1\np 2\n"), ("neither", "")):
+        path = os.path.join(folder, f"{name}.obj")
+        with open(path, "w", encoding="ascii") as file:
+            file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + others +
+                       "g left\nf 1 2 3\ng right\nf 3 2 1\nf 1 2 3\n")
+        note(f"groups and {name}", opened(path))
+
+
 def of_layers():
     sheets = [simple.Plane(Origin=[-2, -2, z], Point1=[2, -2, z], Point2=[-2, 2, z],
                            XResolution=6, YResolution=6) for z in (0.3, -0.4, 0)]
@@ -271,8 +282,9 @@ def run(folder):
     balls = [simple.Sphere(Center=(x, 0, 0), Radius=r, ThetaResolution=24, PhiResolution=24)
              for x, r in ((0, 1), (0.8, 1), (0, 0.4))]
     of_layers()
-    with tempfile.TemporaryDirectory() as times:
-        of_times(times)
+    with tempfile.TemporaryDirectory() as temporary:
+        of_times(temporary)
+        of_files(temporary)
     of_solids("inputs", balls)
     names = simple.ProgrammableFilter(Input=simple.AppendGeometry(Input=balls), Script=NAMES)
     of_solids("names", names)

@@ -7,6 +7,7 @@
 #include "vtk/ReadMesh.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkErrorCode.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -19,6 +20,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 using namespace reading;
 
@@ -201,6 +204,25 @@ TEST(ReaderOfMeshes, ObjOfPointsWithNormals)
   EXPECT_EQ(cloud->GetNumberOfCells(), 0);
   expectRow(cloud->GetPointData()->GetNormals(), 0, 0, 0, 0.1);
   EXPECT_STREQ(cloud->GetPointData()->GetNormals()->GetName(), "Normals");
+}
+
+/// Cells that are no polygons come first, and belong to no region.
+TEST(ReaderOfMeshes, RegionsArePolygons)
+{
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n",
+                    faces = "g left\nf 1 2 3\ng right\nf 3 2 1\nf 1 2 3\n";
+  for (const std::string others : {"", "l 1 2 3\nl 2 3\n", "p 1\n", "l 1 2\np 1\np 2\n"})
+  {
+    const auto mesh = read(corners + others + faces, ".obj");
+    vtkDataArray* const ids = mesh->GetCellData()->GetArray("GroupIds");
+    ASSERT_TRUE(ids && ids->GetNumberOfTuples() == mesh->GetNumberOfCells()) << others;
+    std::vector<int> expected(static_cast<std::size_t>(mesh->GetNumberOfCells()) - 3, -1);
+    expected.insert(expected.end(), {0, 1, 1});
+    for (std::size_t i = 0; i < expected.size(); ++i)
+    {
+      EXPECT_EQ(ids->GetComponent(static_cast<vtkIdType>(i), 0), expected[i]) << others << i;
+    }
+  }
 }
 
 TEST(ReaderOfMeshes, Refusals)
