@@ -55,6 +55,12 @@ double numberAt(const unsigned char* bytes, int componentType, bool isNormalized
   }
 }
 
+/// Returns a number of either kind, which differ among versions of the library, and 0 for less.
+template <class Number> std::size_t atLeastZero(Number number)
+{
+  return number > 0 ? static_cast<std::size_t>(number) : 0;
+}
+
 /// Gives all data in the text of a file the type of buffers, for the library knows a few types
 /// only.
 std::string withPlainUris(const std::string& text)
@@ -125,14 +131,14 @@ std::vector<double> GltfDocument::numbers(int accessorNumber, std::size_t compon
   }
   if (accessor.sparse.isSparse)
   {
-    const auto count = static_cast<std::size_t>(std::max(accessor.sparse.count, 0));
+    const auto count = atLeastZero(accessor.sparse.count);
     std::vector<double> places(count), values(count * components);
     this->readView(accessor.sparse.indices.bufferView,
-      static_cast<std::size_t>(std::max(accessor.sparse.indices.byteOffset, 0)),
-      accessor.sparse.indices.componentType, false, 1, places.data(), count);
+      atLeastZero(accessor.sparse.indices.byteOffset), accessor.sparse.indices.componentType, false,
+      1, places.data(), count);
     this->readView(accessor.sparse.values.bufferView,
-      static_cast<std::size_t>(std::max(accessor.sparse.values.byteOffset, 0)),
-      accessor.componentType, accessor.normalized, components, values.data(), count);
+      atLeastZero(accessor.sparse.values.byteOffset), accessor.componentType, accessor.normalized,
+      components, values.data(), count);
     for (std::size_t i = 0; i < count; ++i)
     {
       if (!(places[i] < static_cast<double>(accessor.count)))
@@ -163,7 +169,7 @@ void GltfDocument::readView(int viewNumber, std::size_t offset, int componentTyp
   const tinygltf::BufferView& view = this->item(model_.bufferViews, viewNumber, "buffer view");
   const tinygltf::Buffer& buffer = this->item(model_.buffers, view.buffer, "buffer");
   const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(componentType));
-  const std::size_t bytes = static_cast<std::size_t>(std::max(size, 0));
+  const std::size_t bytes = atLeastZero(size);
   const std::size_t stride = view.byteStride > 0 ? view.byteStride : bytes * components;
   const std::size_t available = std::min(view.byteOffset + view.byteLength, buffer.data.size());
   const std::size_t first = view.byteOffset + offset;
