@@ -30,11 +30,12 @@ vtkSmartPointer<vtkImageData> readImage(const std::string& fileName)
 class FieldCommand : public testing::Test
 {
 protected:
-  Outcome run(const std::string& name, const std::vector<std::string>& more)
+  Outcome run(
+    const std::string& name, const std::vector<std::string>& more, const std::string& before = "")
   {
     std::vector<std::string> arguments = {"field", in, "-o", folder.path(name), "--json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    Outcome result = runProgram(arguments);
+    Outcome result = runProgram(arguments, before);
     EXPECT_EQ(result.status, 0) << result;
     EXPECT_EQ(result.err, "") << "nothing but errors when piped";
     return result;
@@ -101,8 +102,13 @@ TEST_F(FieldCommand, PeakMemoryIsNotThatOfTheProcessThatStartedTheRun)
 {
   const std::vector<char> held(400'000'000, 1);
   EXPECT_EQ(held.back(), 1);
-  const double peak = run("a.vti", {"--resolution", "16"}).json()["peak_memory"];
-  EXPECT_LT(peak, 0.5 * static_cast<double>(held.size())); // 32 MB
+  // A process keeps the peaks of its children when it becomes another program.
+  const std::string large = "head -c 400000000 /dev/zero | tail -c 400000000 >/dev/null; exec ";
+  for (const std::string& before : {std::string(), large})
+  {
+    const double peak = run("a.vti", {"--resolution", "16"}, before).json()["peak_memory"];
+    EXPECT_LT(peak, 0.5 * static_cast<double>(held.size())) << before; // 32 MB
+  }
 }
 
 TEST_F(FieldCommand, JsonHasTheNamesOfTheInterface)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/ReportParts.h"
 
+#include "input/ReaderProcess.h"
+
 #include "vtkWindingNumberAlgorithm.h"
 
 #include <algorithm>
@@ -57,9 +59,7 @@ long long peakOfProcess()
 
 long long peakMemory()
 {
-  struct rusage readers = {};
-  getrusage(RUSAGE_CHILDREN, &readers);
-  return 1024 * std::max<long long>(peakOfProcess(), readers.ru_maxrss);
+  return std::max(1024 * peakOfProcess(), peakMemoryOfReaders());
 }
 
 long long largestMemory(const std::vector<double>& peaks)

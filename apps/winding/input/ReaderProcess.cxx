@@ -30,6 +30,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -39,6 +40,8 @@
 
 namespace
 {
+
+long long peakOfReaders = 0; // KiB
 
 /// Thrown where the process that reads has ended without a last message.
 struct ReaderEnded
@@ -140,9 +143,11 @@ public:
   int waitForEnd()
   {
     int status = 0;
-    while (waitpid(child_, &status, 0) < 0 && errno == EINTR)
+    struct rusage used = {};
+    while (wait4(child_, &status, 0, &used) < 0 && errno == EINTR)
     {
     }
+    peakOfReaders = std::max<long long>(peakOfReaders, used.ru_maxrss);
     child_ = 0;
     return status;
   }
@@ -321,4 +326,9 @@ vtkSmartPointer<vtkDataObject> readInProcess(
   {
     throw Failure(EXIT_NO_MEMORY, fileName, "does not fit into memory; use a smaller one");
   }
+}
+
+long long peakMemoryOfReaders()
+{
+  return 1024 * peakOfReaders;
 }

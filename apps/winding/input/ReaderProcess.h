@@ -24,3 +24,6 @@ struct VtkFormat;
  */
 vtkSmartPointer<vtkDataObject> readInProcess(
   const std::string& fileName, const VtkFormat& format, Messages& messages);
+
+/// Returns the most memory that a process of readInProcess() has held, in bytes.
+long long peakMemoryOfReaders();
