@@ -8,6 +8,7 @@
 #include "files/TableFile.h"
 #include "messages/Options.h"
 #include "pipeline/ErrorReports.h"
+#include "pipeline/HostShare.h"
 #include "pipeline/SmpExecutor.h"
 #include "private/Gzip.h"
 #include "private/HandedArrays.h"
@@ -113,9 +114,10 @@ bool vtkSourceReader::GetHasDecimalCommas() const
 int vtkSourceReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  // The library of the filters knows which front end this is.
+  // The library of the filters knows which front end this is, and which ranks there are.
   winding::setFrontEnd(
     static_cast<winding::FrontEnd>(vtkWindingNumberAlgorithm::GetNamesInMessages()));
+  winding::setRanksOnHost(vtkWindingNumberAlgorithm::GetRanksOnHost());
   this->ErrorCode = vtkErrorCode::NoError;
   *this->Table = {};
   this->ColumnNames->Initialize();

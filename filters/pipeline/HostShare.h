@@ -9,7 +9,7 @@ namespace winding
 /// share its cores and its memory. 1 until Ranks has met others.
 int ranksOnHost();
 
-/// Sets the number; Ranks calls it.
+/// Sets the number; Ranks calls it, and the module of readers, which has a copy of its own.
 void setRanksOnHost(int ranks);
 
 } // namespace winding

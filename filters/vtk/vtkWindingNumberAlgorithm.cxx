@@ -9,6 +9,7 @@
 #include "messages/PropertyChecks.h"
 #include "pipeline/ErrorReports.h"
 #include "pipeline/FreeMemory.h"
+#include "pipeline/HostShare.h"
 #include "pipeline/Ranks.h"
 #include "pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
@@ -572,6 +573,11 @@ void vtkWindingNumberAlgorithm::SetNamesInMessages(int names)
 int vtkWindingNumberAlgorithm::GetNamesInMessages()
 {
   return static_cast<int>(winding::frontEnd());
+}
+
+int vtkWindingNumberAlgorithm::GetRanksOnHost()
+{
+  return winding::ranksOnHost();
 }
 
 const winding::FieldInfo& vtkWindingNumberAlgorithm::GetSourceInfo() const

@@ -152,6 +152,10 @@ public:
   static int GetNamesInMessages();
   ///@}
 
+  /// Returns how many ranks, this one among them, share the cores and the memory of this machine.
+  /// It is 1 until a filter has met others.
+  static int GetRanksOnHost();
+
   /// Returns one line about inputs that seem to be in another unit than the others, as inches are
   /// next to millimetres; empty where all fit. Their bounds are compared. `names` are what to call
   /// them.

@@ -55,6 +55,7 @@ TEST(FieldOnRanks, HasTheBitsOfOneRank)
             expected->GetOutput()->GetPointData()->GetArray(array));
         }
         EXPECT_EQ(found->GetNumberOfPrimitives(), static_cast<vtkIdType>(mesh.triangles.size()));
+        EXPECT_EQ(vtkWindingNumberAlgorithm::GetRanksOnHost(), ranks());
       }
     }
   }
