@@ -251,7 +251,7 @@ winding_status winding_evaluate_grid(const winding_field* field, const winding_g
       }
       if (isWhole)
       {
-        result.isEmpty = insideCount == 0;
+        result.isEmpty = (wished.united ? result.sides.inside : insideCount) == 0;
         result.withoutAdvice = wished.without_advice != 0;
         result.takesTouchedVoxels = voxels.coverage == winding::Coverage::any;
         result.mayTouchVoxels = voxels.coverage == winding::Coverage::center;

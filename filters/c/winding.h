@@ -416,8 +416,8 @@ extern "C"
     int32_t without_advice;   /**< whether nothing is said about the grid. Default: 0 */
     /** For fractions: (coverage_samples³ + 63) / 64 words for each voxel, with a bit for each
      * sample. A call sets the bits of samples inside, and fractions count all bits that are set:
-     * what several fields cover of a voxel, evaluated one by one from words of 0 on. Inside is at
-     * least half of it. Null, the default, counts the samples of this field. */
+     * what several fields cover of a voxel, evaluated one by one from words of 0 on. Inside, and
+     * inside_count, are what has at least half. Null, the default, counts this field alone. */
     uint64_t* united;
   } winding_values;
 

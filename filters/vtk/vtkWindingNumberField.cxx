@@ -179,8 +179,10 @@ void vtkWindingNumberField::EvaluateVoxels(
   const std::size_t sweptWords = this->GetSweptWords(static_cast<vtkIdType>(count));
   if (voxels.coverage != winding::Coverage::center)
   {
+    const std::size_t present = this->SweptSamples ? this->SweptSamples->size() : 0;
     const std::size_t additional =
-      voxels.additionalBytes(field, count) + sweptWords * sizeof(std::uint64_t);
+      voxels.additionalBytes(field, count) +
+      (sweptWords - std::min(present, sweptWords)) * sizeof(std::uint64_t);
     winding::refuseBeyondFreeMemory(
       this->GetResultBytes(static_cast<vtkIdType>(count)) + static_cast<double>(additional),
       "the coverage of " + std::to_string(count) + " voxels",
@@ -210,7 +212,9 @@ void vtkWindingNumberField::EvaluateVoxels(
           return results.isInside(
             winding::sampleNumber(samples, i, j, k), voxels.output.rule, voxels.output.threshold);
         };
-        this->WarnOfGrid(field, this->NumberOfInsideSamples == 0, isInside);
+        // Warnings are about this time, whatever earlier ones have inside.
+        const bool isEmpty = sweptWords > 0 ? counts.inside == 0 : this->NumberOfInsideSamples == 0;
+        this->WarnOfGrid(field, isEmpty, isInside);
       }
     });
 }

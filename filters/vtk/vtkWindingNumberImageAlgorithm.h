@@ -121,12 +121,13 @@ public:
    * times. Sources with a range of times without steps are refused.
    *
    * A sample is inside where it is at any time. It has w of the time at which it is farthest inside
-   * by the rule, so that the contour of w bounds the union. Distances are the least:
-   * exact outside, and inside at most as far as the surface of the union is. "Coverage" of a field
-   * is the share of a voxel's samples that are inside at any time. A voxel keeps the label of the
-   * first time at which it has one; each label's share and the counts of solids are the largest of
-   * any time, and the two largest shares come from the time with the largest first one. Solids have
-   * to be the same at all times at which there are any. Nearest cells are refused.
+   * by the rule, so that the contour of w bounds the union. Distances are the least: exact outside,
+   * and inside at most as far as the surface of the union is. "Coverage" of a field is the share of
+   * a voxel's samples that are inside at any time, and makes the voxel inside from half on. A voxel
+   * keeps the label of the first time at which it has one; each label's share and the counts of
+   * solids are the largest of any time, and the two largest shares come from the time with the
+   * largest first one. Solids have to be the same at all times at which there are any. Nearest
+   * cells are refused.
    *
    * Facts about the execution, of its verification too, are about the last time. Warnings come at
    * the end, and say at how many of the times. The source is brought up to date for each time, for

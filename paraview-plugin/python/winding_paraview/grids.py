@@ -23,7 +23,7 @@ from vtkwinding._parts import (
     points_of,
 )
 
-from .algorithm import DONE, RUN, declared, new_array
+from .algorithm import DONE, RUN, declared, new_array, refuse_beyond_memory
 from .ranks import Ranks
 from .sources import SourceAlgorithm, ask_for_part, kind_of, parts_of, welded
 
@@ -591,14 +591,17 @@ class WindingNumberField(ImageAlgorithm):
             has_coverage=coverage == FRACTION)
         self.refuse_nearest_of_other_ranks(ranks, bool(self.value("GenerateNearestCells")))
         self.prepare(data, ranks)
-        self.expect(count, "distance" in results.views, results.bytes)
+        swept_words = 0
+        if self.swept_samples is not None and coverage == FRACTION:
+            swept_words = count * ((self.value("CoverageSamples") ** 3 + 63) // 64)
+        self.expect(count, "distance" in results.views, results.bytes + 8 * swept_words)
         band = self.value("DistanceBand")
         values = results.values(coverage=coverage, coverage_samples=self.value("CoverageSamples"),
                                 distance_limit=band * max(grid.spacing))
-        if self.swept_samples is not None and coverage == FRACTION:
+        if swept_words:
             if not len(self.swept_samples):
-                words = (self.value("CoverageSamples") ** 3 + 63) // 64
-                self.swept_samples = np.zeros(words * count, dtype=np.uint64)
+                refuse_beyond_memory(8 * swept_words, f"the coverage of {count} voxels")
+                self.swept_samples = np.zeros(swept_words, dtype=np.uint64)
             values.united = self.swept_samples.ctypes.data
         self.inside_count = 0
         self.verification = None
