@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The static libraries that the VTK modules are made of, each in the folder of its name. The top level
-# has made some of them; in another tree of modules, the first module makes them.
+# The static libraries that the VTK modules are made of, each in the folder of its name. The top
+# level has made some of them; in another tree of modules, the first module makes them.
 if(NOT DEFINED winding_warnings)
   include("${CMAKE_CURRENT_LIST_DIR}/Compiling.cmake")
 endif()
@@ -19,8 +19,8 @@ function(winding_need_parts)
   endforeach()
 endfunction()
 
-# winding_export_parts(<part>…): consumers of a static module link what it is made of themselves. The
-# name of the export is an argument of vtk_module_build().
+# winding_export_parts(<part>…): consumers of a static module link what it is made of themselves.
+# The name of the export is an argument of vtk_module_build().
 function(winding_export_parts)
   if(NOT BUILD_SHARED_LIBS)
     list(TRANSFORM ARGN PREPEND winding_)
