@@ -5,7 +5,16 @@
 #include "apps/Inputs.h"
 #include "apps/RunProgram.h"
 
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataReader.h"
+
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
 
 namespace
 {
@@ -87,7 +96,8 @@ TEST(LegacyVtkNumbers, MayBeNotFinite)
     const std::string in = folder.write("in.vtk",
       head("3.0", "POLYDATA") + "POINTS 6 " + type + "\n0 0 0 1 0 0 0 1 0\n0 0 1 nan -nan inf\n" +
         "-inf NaN 0\n" + faces + "POINT_DATA 6\nSCALARS nan " + type +
-        " 1\nLOOKUP_TABLE default\nnan 1 -inf inf 5 2.5\n");
+        " 1\nLOOKUP_TABLE default\nnan 1 -inf inf 5 2.5\n" + "CELL_DATA 4\nSCALARS heat " + type +
+        " 1\nLOOKUP_TABLE default\n7 nan -inf inf\n");
     const Outcome run = runProgram({"check", in, "--json"});
     ASSERT_EQ(run.status, 0) << run;
     EXPECT_EQ(run.json()["triangles"], 4) << run;
@@ -100,6 +110,18 @@ TEST(LegacyVtkNumbers, MayBeNotFinite)
     EXPECT_NE(table.find("nan,nan,inf"), std::string::npos) << table;
     EXPECT_NE(table.find("-inf,nan,0"), std::string::npos) << table;
     EXPECT_EQ(table.find("e+38"), std::string::npos) << table;
+    const Outcome cells =
+      runProgram({"probe", folder.path("a.vtk"), in, "-o", folder.path("out.vtp")});
+    ASSERT_EQ(cells.status, 0) << cells;
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(folder.path("out.vtp").c_str());
+    reader->Update();
+    vtkDataArray* const heat = reader->GetOutput()->GetCellData()->GetArray("heat");
+    ASSERT_TRUE(heat && heat->GetNumberOfTuples() == 4);
+    EXPECT_EQ(heat->GetTuple1(0), 7);
+    EXPECT_TRUE(std::isnan(heat->GetTuple1(1)));
+    EXPECT_EQ(heat->GetTuple1(2), -std::numeric_limits<double>::infinity());
+    EXPECT_EQ(heat->GetTuple1(3), std::numeric_limits<double>::infinity());
   }
   const std::string words = folder.write("words.vtk",
     head("4.2", "POLYDATA") + "FIELD FieldData 1\nwords 1 1 string\nnan\n" + points + faces);

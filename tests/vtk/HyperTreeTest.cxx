@@ -271,6 +271,14 @@ TEST_F(HyperTree, OtherMethodsAndDoublesHaveTheFieldsValues)
   }
 }
 
+TEST_F(HyperTree, DoublesHaveAllBitsOfTheField)
+{
+  setInput(open());
+  setBoth([](auto* filter) { filter->SetOutputScalarTypeToDouble(); });
+  trees->SetMergeTolerance(0);
+  EXPECT_EQ(expectTheFieldInMemoryAndInFiles(0), 0);
+}
+
 TEST_F(HyperTree, CloudsHaveTheFieldsValues)
 {
   setInput(sphereCloud(2000, 1));

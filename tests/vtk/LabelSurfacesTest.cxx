@@ -166,9 +166,14 @@ TEST(LabelSurfaces, AreThoseOfIntegersCalledLabel)
   vtkNew<vtkIntArray> withGaps;
   withGaps->DeepCopy(image->GetPointData()->GetScalars());
   withGaps->SetName("Label");
-  withGaps->SetValue(0, -1);
   image->GetPointData()->SetScalars(withGaps);
-  EXPECT_FALSE(hasLabels(automatic));
+  for (const auto& [value, areLabels] :
+    {std::pair(65535, true), std::pair(65536, false), std::pair(-1, false)})
+  {
+    withGaps->SetValue(0, value);
+    withGaps->Modified();
+    EXPECT_EQ(hasLabels(automatic), areLabels) << value;
+  }
   values->DeepCopy(withGaps);
   values->SetName("Label");
   image->GetPointData()->SetScalars(values);

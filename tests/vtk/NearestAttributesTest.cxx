@@ -782,3 +782,30 @@ TEST(NearestCellsOfVoxels, ComeFromTheirSource)
       surface->GetCellData()->GetArray("NearestCell")->GetTuple1(n));
   }
 }
+
+TEST(NearestCellsOfVoxels, ComeFromMirroredHalves)
+{
+  const auto source = sphere(1.5);
+  addArrays(source);
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputData(source);
+  field->SetMirror("x=0");
+  field->SetResolution(30);
+  vtkNew<vtkWindingNumberVoxels> voxels;
+  voxels->SetInputConnection(field->GetOutputPort());
+  voxels->SetSourceData(source);
+  voxels->SetMirror("x=0");
+  voxels->TransferAttributesOn();
+  voxels->Update();
+  vtkPolyData* const surface = voxels->GetOutput();
+  const double side = field->GetOutput()->GetSpacing()[0];
+  int mirrored = 0;
+  for (vtkIdType n = 0; n < surface->GetNumberOfPoints(); ++n)
+  {
+    const double x = pointOf(surface, n)[0];
+    mirrored += x < 0;
+    ASSERT_NEAR(
+      surface->GetPointData()->GetArray("TCoords")->GetComponent(n, 0), std::abs(x), 2 * side);
+  }
+  EXPECT_GT(mirrored, 100);
+}

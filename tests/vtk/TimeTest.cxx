@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -301,6 +302,115 @@ TEST_F(Time, UnionOverAllTimesHasTheShareThatIsSwept)
     }
     EXPECT_GT(larger, 30);
     EXPECT_GT(halves, 0);
+  }
+}
+
+TEST_F(Time, UnionOverAllTimesMayHaveTheUsualNameOfTheArray)
+{
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(sphere->GetOutputPort());
+  field->SetResolution(60);
+  field->UnionOverAllTimesOn();
+  field->Update();
+  const vtkIdType inside = field->GetNumberOfInsideSamples();
+  EXPECT_GT(inside, 50);
+  for (const char* name : {"", static_cast<const char*>(nullptr), "w"})
+  {
+    field->SetResultArrayName(name);
+    field->Update();
+    EXPECT_EQ(field->GetNumberOfInsideSamples(), inside);
+    vtkDataArray* values = field->GetOutput()->GetPointData()->GetScalars();
+    EXPECT_STREQ(values->GetName(), name && *name ? name : "WindingNumber");
+    vtkIdType count = 0;
+    for (vtkIdType n = 0; n < values->GetNumberOfTuples(); ++n)
+    {
+      count += values->GetComponent(n, 0) >= 0.5;
+    }
+    EXPECT_EQ(count, inside);
+  }
+}
+
+/// What earlier times keep is counted: their arrays, and a bit for each sample of a voxel.
+TEST_F(Time, UnionOverAllTimesCountsWhatItKeeps)
+{
+  const auto expected = [&](bool isUnion, bool hasFractions)
+  {
+    vtkNew<vtkWindingNumberField> field;
+    field->SetInputConnection(sphere->GetOutputPort());
+    field->UseInputBoundsOff();
+    field->SetSamplingBounds(-1, 22, -2, 2, -2, 2);
+    field->SetSamplingDimensions(46, 8, 8);
+    field->SetUnionOverAllTimes(isUnion);
+    if (hasFractions)
+    {
+      field->SetCoverageToFraction();
+      field->SetCoverageSamples(5);
+    }
+    field->UpdateTimeStep(2);
+    return static_cast<double>(field->GetExpectedMemory());
+  };
+  constexpr double voxels = 46 * 8 * 8, words = 2;
+  EXPECT_EQ(expected(true, false) - expected(false, false), voxels * sizeof(float));
+  EXPECT_EQ(expected(true, true) - expected(false, true),
+    voxels * (2 * sizeof(float) + 1 + words * sizeof(std::uint64_t)));
+}
+
+/// Both shares of a voxel, and what has them, are of the time with the largest first share.
+TEST_F(Time, UnionOverAllTimesTakesBothSharesFromOneTime)
+{
+  vtkNew<MovingSphere> large;
+  for (MovingSphere* ball : {sphere.Get(), large.Get()})
+  {
+    ball->SetStep(0.3);
+  }
+  large->SetResolution(12);
+  vtkNew<vtkTransform> aside;
+  aside->Translate(0.2, 0.3, 0);
+  vtkNew<vtkTransformPolyDataFilter> moved;
+  moved->SetInputConnection(large->GetOutputPort());
+  moved->SetTransform(aside);
+  vtkNew<vtkWindingNumberLabels> swept, single;
+  for (vtkWindingNumberLabels* labels : {swept.Get(), single.Get()})
+  {
+    labels->AddInputConnection(sphere->GetOutputPort());
+    labels->AddInputConnection(moved->GetOutputPort());
+    labels->UseInputBoundsOff();
+    labels->SetSamplingBounds(-1.5, 2, -1.5, 2, -1.5, 1.5);
+    labels->SetResolution(16);
+    labels->SetCoverageToFraction();
+  }
+  swept->UnionOverAllTimesOn();
+  swept->Update();
+  const char* names[] = {"FirstShare", "FirstLabel", "SecondShare", "SecondLabel"};
+  const auto shareOf = [&](vtkWindingNumberLabels* labels, vtkIdType n)
+  {
+    std::vector<double> all;
+    for (const char* name : names)
+    {
+      all.push_back(labels->GetOutput()->GetPointData()->GetArray(name)->GetComponent(n, 0));
+    }
+    return all;
+  };
+  std::vector<std::vector<double>> best;
+  int later = 0;
+  for (const int time : {0, 1, 2})
+  {
+    single->UpdateTimeStep(time);
+    best.resize(static_cast<std::size_t>(single->GetOutput()->GetNumberOfPoints()));
+    for (std::size_t n = 0; n < best.size(); ++n)
+    {
+      const std::vector<double> now = shareOf(single, static_cast<vtkIdType>(n));
+      if (best[n].empty() || now[0] > best[n][0])
+      {
+        later += time > 0 && now[3] != best[n][3];
+        best[n] = now;
+      }
+    }
+  }
+  EXPECT_GT(later, 20);
+  for (std::size_t n = 0; n < best.size(); ++n)
+  {
+    ASSERT_EQ(shareOf(swept, static_cast<vtkIdType>(n)), best[n]) << n;
   }
 }
 
