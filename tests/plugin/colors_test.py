@@ -103,6 +103,21 @@ class TestColors(unittest.TestCase):
             simple.Render(self.view)
             self.assertEqual(display.Slice, expected)
 
+    def test_slices_stay_along_any_axis(self):
+        field = simple.WindingNumberField(Input=unit_sphere(), SamplingDimensions=[9, 11, 13])
+        display = simple.Show(field, self.view)
+        for axis, mode in ((2, "XY Plane"), (0, "YZ Plane"), (1, "XZ Plane")):
+            display.SliceMode = mode
+            field.SamplingDimensions = [9, 11, 13]
+            simple.Render(self.view)
+            display.Slice = 7
+            simple.Render(self.view)
+            finer = [9, 11, 13]
+            finer[axis] = 40
+            field.SamplingDimensions = finer
+            simple.Render(self.view)
+            self.assertEqual(display.Slice, int(7.5 / (9, 11, 13)[axis] * 40), mode)
+
     def test_nothing_is_drawn_of_a_refused_field(self):
         field = simple.WindingNumberField(Input=unit_sphere(), Resolution=20)
         display = simple.Show(field, self.view)

@@ -153,6 +153,7 @@ TEST(LabelSurfaces, AreThoseOfIntegersCalledLabel)
     voxels->SetInputData(image);
     voxels->SetByLabel(byLabel);
     voxels->Update();
+    EXPECT_GT(voxels->GetOutput()->GetNumberOfCells(), 0);
     return voxels->GetOutput()->GetCellData()->GetArray("BoundaryLabels") != nullptr;
   };
   constexpr int automatic = vtkWindingNumberVoxels::LABELS_AUTOMATIC;

@@ -330,7 +330,7 @@ TEST_F(Time, UnionOverAllTimesMayHaveTheUsualNameOfTheArray)
   }
 }
 
-/// What earlier times keep is counted: their arrays, and a bit for each sample of a voxel.
+/// Memory is expected for the arrays of earlier times, and for a bit of each sample of a voxel.
 TEST_F(Time, UnionOverAllTimesCountsWhatItKeeps)
 {
   const auto expected = [&](bool isUnion, bool hasFractions)
