@@ -12,7 +12,9 @@ The first table has seconds of preparing and evaluating, as --json says them, ea
 runs; on all threads, on one, and for one thread that fills a fresh array of the same size. MB are
 those of the whole run at its peak, on all threads. The second one has the tolerances: seconds of
 the armadillo as a soup at 128, and the largest error of 4000 random samples and 4000 near the
-surface, of every mesh and cloud of the folder that is no larger than 10 MB. Needs NumPy.
+surface, of every mesh and cloud of the folder that is no larger than 10 MB. The third one has whole
+runs, files read and written: hyper tree grids beside images in pieces, and a probe at 692 000 rows
+of a table. Needs NumPy.
 """
 
 import json
@@ -54,14 +56,14 @@ def damaged(mesh, path):
     path.write_text("".join(kept))
 
 
-def scattered(mesh, path):
-    """Writes a million random points in and around a mesh as XYZ."""
+def scattered(mesh, path, count, **layout):
+    """Writes random points in and around a mesh."""
     vertices = np.array([line.split()[1:4] for line in mesh.read_text().splitlines()
                          if line.startswith("v ")], dtype=float)
     low, high = vertices.min(0), vertices.max(0)
     margin = 0.05 * (high - low).max()
     random = np.random.default_rng(2)
-    np.savetxt(path, random.uniform(low - margin, high + margin, (1_000_000, 3)), fmt="%.6f")
+    np.savetxt(path, random.uniform(low - margin, high + margin, (count, 3)), **layout)
 
 
 def rows(meshes, folder):
@@ -71,7 +73,7 @@ def rows(meshes, folder):
         "bunny_res2_nonmanifold.ply", "truck_soup.obj", "teapot.obj"))
     lacking, points = folder / "damaged.obj", folder / "points.xyz"
     damaged(armadillo, lacking)
-    scattered(armadillo, points)
+    scattered(armadillo, points, 1_000_000, fmt="%.6f")
     for size in (256, 512):
         yield "bunny, closed", "field", bunny, ["--resolution", size]
         yield "bunny with holes", "field", holes, ["--resolution", size]
@@ -131,10 +133,31 @@ def tolerances(program, meshes, folder):
               flush=True)
 
 
+def whole_runs(program, meshes, folder):
+    print("\n| | s | peak MB | file MB |\n|---|---|---|---|")
+    bunny, table = meshes / "bunny_70k.obj", folder / "table.csv"
+    scattered(bunny, table, 692_000, fmt="%.9g", delimiter=",", header="x,y,z", comments="")
+
+    def row(name, command, output, *options):
+        start = time.perf_counter()
+        report = run(program, command, bunny, *options, "-o", folder / output)
+        print(f"| {name} | {time.perf_counter() - start:.2f} | {report['peak_memory'] / 1e6:.0f} | "
+              f"{(folder / output).stat().st_size / 1e6:.1f} |", flush=True)
+
+    row("a table", "probe", "out.csv", table)
+    for size, pieces in ((1024, 16), (2048, None), (4096, 512)):
+        for option in ([], ["--inside-only"]):
+            kind = " ".join(option) or "w"
+            row(f"{size}, .htg, {kind}", "field", "out.htg", "--resolution", size, *option)
+            if pieces and (option or size == 1024):
+                row(f"{size}, .vti, {kind}", "field", "out.vti", "--resolution", size, *option,
+                    "--pieces", pieces)
+
+
 def main(program, meshes):
     with tempfile.TemporaryDirectory() as folder:
-        measure(program, pathlib.Path(meshes), pathlib.Path(folder))
-        tolerances(program, pathlib.Path(meshes), pathlib.Path(folder))
+        for table in (measure, tolerances, whole_runs):
+            table(program, pathlib.Path(meshes), pathlib.Path(folder))
 
 
 if __name__ == "__main__":
