@@ -258,6 +258,30 @@ def of_files(folder):
         note(f"groups and {name}", opened(path))
 
 
+def of_changes():
+    """Properties that change after the filter was executed, one at a time."""
+    bowl = simple.Sphere(EndPhi=100, ThetaResolution=12, PhiResolution=8)
+    inward = simple.ReverseSense(Input=simple.Sphere(
+        Center=(1.5, 0, 0), ThetaResolution=8, PhiResolution=6))
+    source = simple.AppendGeometry(Input=[bowl, inward])
+    for kind, changes in (
+            ("mesh", {"FlatBase": "down", "Mirror": "x=-0.2", "SheetSide": "down", "OrientFaces": 1,
+                      "WeldTolerance": 0.2, "IgnoreOpenParts": 1, "Method": 3}),
+            ("cloud", {"SourceAsPoints": 1, "PointAreaMethod": 2, "PointArea": 0.01,
+                       "NumberOfNeighbors": 6, "Regularization": 0.2, "EstimateNormals": 1,
+                       "Tolerance": 0.1, "Method": 2})):
+        field = simple.WindingNumberField(Input=source, Resolution=16, GenerateInside=1)
+        note(f"{kind} before changes", field)
+        for name, value in changes.items():
+            smproperty = field.SMProxy.GetProperty(name)
+            before = smproperty.GetElement(0)
+            for state, element in (("set", value), ("set back", before)):
+                if name != "SourceAsPoints" or state == "set":
+                    smproperty.SetElement(0, element)
+                    field.SMProxy.UpdateVTKObjects()
+                    note(f"{kind}, {name} {state}", field)
+
+
 def of_layers():
     sheets = [simple.Plane(Origin=[-2, -2, z], Point1=[2, -2, z], Point2=[-2, 2, z],
                            XResolution=6, YResolution=6) for z in (0.3, -0.4, 0)]
@@ -282,6 +306,7 @@ def run(folder):
     balls = [simple.Sphere(Center=(x, 0, 0), Radius=r, ThetaResolution=24, PhiResolution=24)
              for x, r in ((0, 1), (0.8, 1), (0, 0.4))]
     of_layers()
+    of_changes()
     with tempfile.TemporaryDirectory() as temporary:
         of_times(temporary)
         of_files(temporary)
