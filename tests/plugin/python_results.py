@@ -216,18 +216,32 @@ def of_solids(name, source, **properties):
         Input=source, Like=turned_image(4), OutputAssociation="Cells", **properties))
 
 
-def of_times(folder):
-    """A ball that moves and grows, and the volume that it sweeps."""
-    for time in (0, 1, 2):
-        ball = simple.Sphere(Center=[0.7 * time, 0, 0.1], Radius=0.5 + 0.25 * time,
-                             ThetaResolution=24, PhiResolution=24)
-        simple.CreateWriter(os.path.join(folder, f"{time}.vtp"), ball).UpdatePipeline()
-    series = os.path.join(folder, "series.pvd")
+def series_of(sources, folder, suffix):
+    """Writes sources as the times of a file, and opens it."""
+    series = os.path.join(folder, f"series{suffix}.pvd")
     with open(series, "w", encoding="ascii") as file:
         file.write('<VTKFile type="Collection"><Collection>')
-        file.writelines(f'<DataSet timestep="{t}" file="{t}.vtp"/>' for t in (0, 1, 2))
+        for time, source in enumerate(sources):
+            simple.CreateWriter(os.path.join(folder, f"{time}{suffix}"), source).UpdatePipeline()
+            file.write(f'<DataSet timestep="{time}" file="{time}{suffix}"/>')
         file.write("</Collection></VTKFile>")
-    moving = simple.OpenDataFile(series)
+    return simple.OpenDataFile(series)
+
+
+def of_times(folder):
+    """A ball that moves and grows, and the volume that it sweeps; and balls that come and go."""
+    moving = series_of([
+        simple.Sphere(Center=[0.7 * time, 0, 0.1], Radius=0.5 + 0.25 * time, ThetaResolution=24,
+                      PhiResolution=24) for time in (0, 1, 2)], folder, ".vtp")
+    names = ["ball 1", "ball 2"]
+    coming = series_of([
+        simple.GroupDatasets(BlockNames=names, Input=[
+            simple.Sphere(Center=[3 * n, 0, 0], Radius=1 if n == time else 0.01)
+            for n in (0, 1)]) for time in (0, 1)], folder, ".vtm")
+    name = "swept labels that come and go"
+    note(name, simple.WindingNumberLabels(Input=coming, Resolution=21, UnionOverAllTimes=1))
+    told = "\n".join(facts[name]["told"])
+    assert all(name in told for name in names), told
     note("one grid for all times", simple.WindingNumberField(
         Input=moving, Resolution=20, BoundsOverAllTimes=1))
     for rule in ("Signed", "Absolute", "Odd"):
