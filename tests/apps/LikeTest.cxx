@@ -160,6 +160,22 @@ TEST(Like, SpacesWithoutAPatientCountAsLps)
   EXPECT_NE(masksLike("right-anterior-superior"), expected);
 }
 
+TEST(Like, NiftiOfTwoAxesIsASlice)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1)));
+  std::string head = asNifti(NiftiKind::sform);
+  head[40] = 2; // axes; what stands behind them counts for nothing
+  for (const char layers : {1, 0, 7})
+  {
+    head[46] = layers;
+    const Outcome run = runProgram({"field", in, "-o", folder.path("out.vti"), "--like",
+      folder.write("slice.nii", head), "--overwrite", "--json"});
+    ASSERT_EQ(run.status, 0) << run;
+    EXPECT_EQ(run.json()["grid"]["dimensions"][2], 1) << run;
+  }
+}
+
 TEST(Like, NiftiKeepsTheUnitOfLengths)
 {
   const TemporaryFolder folder;

@@ -167,6 +167,29 @@ TEST_F(PieceFiles, OfGltfAreWhereTheirNodesPlaceThem)
   }
 }
 
+TEST_F(PieceFiles, OfGltfHaveTheShapeThatNodesGiveThem)
+{
+  // A target moves the far face, z = 1, by 1: by the mesh it is left out, by one node taken.
+  std::vector<float> moves(24, 0);
+  for (std::size_t corner = 4; corner < 8; ++corner)
+  {
+    moves[3 * corner + 2] = 1;
+  }
+  folder.write("cube.bin", cubeBuffer() + bytesOf(moves));
+  nlohmann::json file = nlohmann::json::parse(gltfOf(R"(,"uri":"cube.bin")"));
+  file["buffers"][0]["byteLength"] = 264;
+  file["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 168}, {"byteLength", 96}});
+  file["accessors"].push_back(
+    {{"bufferView", 2}, {"componentType", 5126}, {"count", 8}, {"type", "VEC3"}});
+  file["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 2}}};
+  file["meshes"][0]["weights"] = {0};
+  folder.write("a.gltf", file.dump());
+  EXPECT_NEAR(this->check("a.gltf")["volume"], 7, 1e-12);
+  file["nodes"][1]["weights"] = {1};
+  folder.write("a.gltf", file.dump());
+  EXPECT_NEAR(this->check("a.gltf")["volume"], 13, 1e-12) << "2 x 3 x 2 and 1";
+}
+
 TEST_F(PieceFiles, OfGltfMayMirrorAndMoveInAllWays)
 {
   folder.write("cube.bin", cubeBuffer());

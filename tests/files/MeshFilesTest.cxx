@@ -345,6 +345,16 @@ TEST(PointsFile, ColoursAreNoNormals)
   expectColors("0 0 0 0 0 200\n1 0 0 0 0 -200\n", {});
   expectColors("0 0 0 0 0 20.5\n1 0 0 3 4 5\n", {});
   expectColors("0 0 0 0 0 0\n1 0 0 0 0 0\n", {}); // the core takes these for none
+  std::string few, many; // points with fractions beyond 1: normals, and from 16 points on colours
+  std::vector<std::uint8_t> ofMany;
+  for (int i = 0; i < 16; ++i)
+  {
+    many += "0 0 " + std::to_string(i) + " 10.5 200.25 30.5\n";
+    few = i == 14 ? many : few;
+    ofMany.insert(ofMany.end(), {11, 200, 31});
+  }
+  expectColors(few, {});
+  expectColors(many, ofMany);
   expectColors("x y z nx ny nz\n0 0 0 9 9 9\n1 0 0 9 9 9\n", {});
   expectColors("1\n0 0 0\n9 9 9\n", {}); // in lines behind all positions
 }

@@ -12,7 +12,7 @@ import tempfile
 
 import numpy as np
 from paraview import servermanager, simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkImagingCore import vtkImageDataStreamer
@@ -121,6 +121,23 @@ def turned_image(side):
     middle = [0.0] * 3
     image.TransformContinuousIndexToPhysicalPoint([8, 0, 5], middle)
     image.SetOrigin([-at for at in middle])
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(image)
+    return source
+
+
+def mirrored_image():
+    """A few samples inside of an image that looks into a mirror, with the number of each as share."""
+    image = vtkImageData()
+    image.SetDimensions(4, 4, 4)
+    image.SetDirectionMatrix(-1, 0, 0, 0, 1, 0, 0, 0, 1)
+    inside = np.zeros(64)
+    inside[[21, 22, 25, 41]] = 1
+    for name, values in (("Coverage", np.arange(64) / 64), ("w", inside)):
+        array = numpy_to_vtk(values.astype(np.float32), deep=1)
+        array.SetName(name)
+        image.GetPointData().AddArray(array)
+    image.GetPointData().SetActiveScalars("w")
     source = simple.TrivialProducer()
     source.GetClientSideObject().SetOutput(image)
     return source
@@ -354,6 +371,12 @@ def run(folder):
         Input=balls[0], GenerateInside=1, ResultArrayName="Inside"))
     note("parity is not verified", simple.WindingNumberField(
         Input=balls[0], Method="Ray Parity", VerifySamples=5))
+    labels = simple.WindingNumberLabels(Input=balls, Resolution=20)
+    labels.InputNames = ["a", "b", "c"]
+    note("names of inputs", labels)
+    labels.InputNames = ["a", "d", "c"]
+    note("other names of inputs", labels)
+    note("voxels of a mirrored image", simple.WindingNumberVoxels(Input=mirrored_image()))
     askew = turned_image(2)
     askew.GetClientSideObject().GetOutputDataObject(0).SetDirectionMatrix(
         1, 0.1, 0, 0, 1, 0, 0, 0, 1)

@@ -5,6 +5,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
@@ -175,10 +176,16 @@ TEST(LabelSurfaces, AreThoseOfIntegersCalledLabel)
     withGaps->Modified();
     EXPECT_EQ(hasLabels(automatic), areLabels) << value;
   }
-  values->DeepCopy(withGaps);
-  values->SetName("Label");
-  image->GetPointData()->SetScalars(values);
-  EXPECT_FALSE(hasLabels(automatic));
+  vtkNew<vtkDoubleArray> doubles;
+  withGaps->SetValue(0, 1);
+  for (vtkDataArray* reals :
+    {static_cast<vtkDataArray*>(values), static_cast<vtkDataArray*>(doubles)})
+  {
+    reals->DeepCopy(withGaps);
+    reals->SetName("Label");
+    image->GetPointData()->SetScalars(reals);
+    EXPECT_FALSE(hasLabels(automatic)) << reals->GetClassName();
+  }
 }
 
 TEST(LabelSurfaces, FollowTheFilterOfLabels)

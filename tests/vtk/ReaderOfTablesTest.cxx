@@ -120,6 +120,20 @@ TEST(ReaderOfTables, Refusals)
   expectRefusal("x,y,z,t\n1,2,3,\"a\n", "line 2: a quotation mark", format, ".csv");
 }
 
+TEST(ReaderOfTables, ColumnsThatMakeNoSenseAreTheUsersError)
+{
+  const TextFile file("x,y,z\n1,2,3\n", ".csv");
+  vtkNew<vtkSourceReader> reader;
+  const ErrorLog log(reader);
+  reader->SetFileName(file.path());
+  reader->SetColumns("nonsense");
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
+  reader->SetColumns("");
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+}
+
 TEST(ReaderOfTables, SaysWhatSeparates)
 {
   vtkNew<vtkSourceReader> reader;

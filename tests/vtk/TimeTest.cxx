@@ -171,6 +171,21 @@ TEST_F(Time, BoundsOverAllTimesLayOneGrid)
 }
 
 /// Looking at all times does not change which one is evaluated.
+TEST_F(Time, BoundsOverAllTimesAreThoseOfTheSourceAsItIsTaken)
+{
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(sphere->GetOutputPort());
+  field->BoundsOverAllTimesOn();
+  field->SetPadding(0);
+  field->SetResolution(50);
+  for (const auto& [mirror, width] : {std::pair("", 21.5), std::pair("x=-1", 44.0)})
+  {
+    field->SetMirror(mirror);
+    field->UpdateTimeStep(1);
+    EXPECT_NEAR(field->GetOutput()->GetSpacing()[0], width / 50, 1e-3) << mirror;
+  }
+}
+
 TEST_F(Time, BoundsOverAllTimesLeaveTheTimeAlone)
 {
   vtkNew<vtkWindingNumberSurface> surface;

@@ -628,6 +628,18 @@ double sampledShare(const Field& field, const winding::CellShape& box)
          static_cast<double>(inside.size());
 }
 
+/// A cell that meets no triangle has a share where w passes the threshold, too.
+TEST(CellFractions, AreNearThoseOfSamplesInOpenings)
+{
+  winding::SerialExecutor serial;
+  const auto field = fieldOf(shapes::openCube());
+  CellList cells;
+  cells.add(hexahedron, cornersOf({0.8319, 0.1802, 0.8253}, {0.9716, 0.4952, 1.5866}));
+  const double sampled = sampledShare(*field, cells[0]);
+  EXPECT_GT(sampled, 0.1);
+  EXPECT_NEAR(fractionsOf(*field, cells)[0], sampled, 0.05); // measured: 0.023, a layer of samples
+}
+
 TEST(CellFractions, AreNearThoseOfSamplesWhereSourcesAreOpen)
 {
   winding::SerialExecutor serial;

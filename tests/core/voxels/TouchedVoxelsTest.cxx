@@ -218,6 +218,18 @@ TEST(TouchedVoxels, FacesAtTenthsBelongToBothVoxelsAlongEveryAxis)
   }
 }
 
+/// Far from the origin, rounding is that of the position.
+TEST(TouchedVoxels, FacesAtTenthsBelongToBothVoxelsFarAway)
+{
+  for (const double far : {1000.0, -1000.0, 1e5})
+  {
+    const Grid grid = {Point::Constant(far + 0.05), Point::Constant(0.1), {5, 5, 5}};
+    const auto from = Point::Constant(far + 0.1), to = Point::Constant(far + 0.4);
+    const Marks marks = marksOf(shapes::cube(from, to), grid);
+    EXPECT_EQ(std::count(marks.begin(), marks.end(), 1), 124) << far << ": all but the middle";
+  }
+}
+
 TEST(TouchedVoxels, PointsTouchTheVoxelsThatMeetThere)
 {
   const Grid grid = gridOf({5, 5, 5});
