@@ -48,6 +48,8 @@ def faults_of_lines(page):
         is_free = line.startswith(("|", "![")) or "](" in line and " " not in line
         if len(line) > LONGEST_LINE and not is_free:
             yield f"{page.name}:{number}: {len(line)} columns"
+        if re.search("@[A-Z]+@", line):
+            yield f"{page.name}:{number}: a figure is not filled in"
 
 
 def main(root):
