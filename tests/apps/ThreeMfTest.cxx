@@ -22,9 +22,9 @@ using Files = std::vector<std::pair<std::string, std::string>>;
 std::string bytesOf(std::uint64_t number, int count)
 {
   std::string bytes;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < count; ++i, number >>= 8)
   {
-    bytes += static_cast<char>(number >> (8 * i) & 0xFF);
+    bytes += static_cast<char>(number & 0xFF);
   }
   return bytes;
 }
