@@ -193,7 +193,8 @@ void FieldRun::printReport()
     [this]
     {
       report_.warnOfPieces();
-      this->check();
+      // The result has its name, and so it is too late for an interrupted run.
+      checkStatus(filter_.GetStatus(), options_.input, messages_);
     });
 }
 

@@ -126,6 +126,11 @@ void warnOfIdleOptions(
 void checkFilter(int status, const std::string& fileName, Messages& messages)
 {
   interrupt::check();
+  checkStatus(status, fileName, messages);
+}
+
+void checkStatus(int status, const std::string& fileName, Messages& messages)
+{
   try
   {
     messages.throwIfError(fileName);

@@ -44,3 +44,6 @@ void warnOfIdleOptions(
 /// Throws Failure, about the file, where a filter was not done or the program was interrupted.
 /// `status` is a StatusType of vtkWindingNumberAlgorithm.
 void checkFilter(int status, const std::string& fileName, Messages& messages);
+
+/// Throws Failure as checkFilter() does, but not for a signal.
+void checkStatus(int status, const std::string& fileName, Messages& messages);
