@@ -10,7 +10,7 @@ As a soup it is evaluated by --method hierarchical, and as a cloud by --points.
 
 The first table has seconds of preparing and evaluating, as --json says them, each the least of five
 runs; on all threads, on one, and for one thread that fills a fresh array of the same size. MB are
-those of the whole run at its peak, on all threads. The second one has the tolerances: seconds of
+the peak of the whole run on all threads. The second one has the tolerances: seconds of
 the armadillo as a soup at 128, and the largest error of 4000 random samples and 4000 near the
 surface, of every mesh and cloud of the folder that is no larger than 10 MB. The third one has whole
 runs, files read and written: hyper tree grids beside images in pieces, and a probe at 692 000 rows

@@ -170,7 +170,6 @@ TEST_F(Time, BoundsOverAllTimesLayOneGrid)
   }
 }
 
-/// Looking at all times does not change which one is evaluated.
 TEST_F(Time, BoundsOverAllTimesAreThoseOfTheSourceAsItIsTaken)
 {
   vtkNew<vtkWindingNumberField> field;
@@ -186,6 +185,7 @@ TEST_F(Time, BoundsOverAllTimesAreThoseOfTheSourceAsItIsTaken)
   }
 }
 
+/// Looking at all times does not change which one is evaluated.
 TEST_F(Time, BoundsOverAllTimesLeaveTheTimeAlone)
 {
   vtkNew<vtkWindingNumberSurface> surface;
