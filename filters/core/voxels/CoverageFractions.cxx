@@ -271,6 +271,7 @@ void CoverageFractions::addUpSamples(const Extent& voxels, Executor& executor) c
       std::vector<unsigned char> columns(width);
       for (int j = voxels[2]; j <= voxels[3]; ++j)
       {
+        const std::size_t first = sampleNumber(extent_, voxels[0], j, k);
         std::fill(columns.begin(), columns.end(), static_cast<unsigned char>(0));
         for (int row = 0; row < perAxis_ * perAxis_; ++row)
         {
@@ -282,9 +283,8 @@ void CoverageFractions::addUpSamples(const Extent& voxels, Executor& executor) c
           {
             columns[i] = static_cast<unsigned char>(columns[i] + from[i]);
           }
-          this->unite(from, sampleNumber(extent_, voxels[0], j, k), row, width);
+          this->unite(from, first, row, width);
         }
-        const std::size_t first = sampleNumber(extent_, voxels[0], j, k);
         const unsigned char* column = columns.data();
         for (std::size_t voxel = first; column != columns.data() + width; ++voxel)
         {
