@@ -57,6 +57,13 @@ Eigen::Vector3d lineThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return {x, y, -(x * a[0] + y * a[1])};
 }
 
+/// Returns the line that an edge is seen as, as a linear function of (q₁, q₂, 1).
+Eigen::Vector3d lineOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  const Eigen::Vector3d normal = a.cross(b); // of the plane through the apex
+  return {normal[0] - normal[2], normal[1] - normal[2], normal[2]};
+}
+
 /// Keeps the part of a convex polygon where `distance` of a corner is not negative. The point of a
 /// side where it is 0 is found from the corner that stays, whichever way the side is passed.
 template <class Point, class Distance, class Put>
@@ -106,12 +113,14 @@ double ConeShare::of(
   const Eigen::Matrix3d& corners, const std::vector<ConeTriangle>& triangles, double winding)
 {
   polygons_.clear();
+  lostEdges_.clear();
   const Eigen::Matrix3d weights = corners.inverse();
   const bool isInverted = corners.determinant() < 0;
   for (const ConeTriangle& triangle : triangles)
   {
     this->add(triangle, weights, isInverted);
   }
+  std::sort(lostEdges_.begin(), lostEdges_.end());
   this->findPairs();
   double share = this->isInsideAt(winding) ? 1 : 0;
   for (std::size_t i = 0; i < polygons_.size(); ++i)
@@ -197,6 +206,10 @@ void ConeShare::add(const ConeTriangle& triangle, const Eigen::Matrix3d& weights
   const double height = normal.dot(whole[0]);
   if (!(std::abs(area) > leastArea) || height == 0)
   {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      lostEdges_.push_back(std::minmax(triangle.ids[i], triangle.ids[(i + 1) % 3]));
+    }
     return;
   }
   polygon.count = static_cast<int>(count);
@@ -210,10 +223,11 @@ void ConeShare::add(const ConeTriangle& triangle, const Eigen::Matrix3d& weights
   // normal · (q₁, q₂, 1 − q₁ − q₂) / height is the inverse depth.
   polygon.inverseDepth =
     Eigen::Vector3d(normal[0] - normal[2], normal[1] - normal[2], normal[2]) / height;
-  // Seen at a small angle, or much larger than the cone, a triangle has a depth with few digits.
+  // Seen at a small angle, or much larger than the cone, a triangle has a depth with few digits. By
+  // random cases 1 to 4 times this is enough; with 8 layers count as one that others are between.
   const double reach = std::max({whole[0].norm(), whole[1].norm(), whole[2].norm()}) *
                        (whole[1] - whole[0]).norm() * (whole[2] - whole[0]).norm();
-  polygon.rounding = 16 * std::numeric_limits<double>::epsilon() * reach / std::abs(height);
+  polygon.rounding = 4 * std::numeric_limits<double>::epsilon() * reach / std::abs(height);
   polygon.ids = triangle.ids;
   polygon.low = polygon.high = polygon.corners[0].head<2>().array();
   for (std::size_t i = 1; i < count; ++i)
@@ -310,6 +324,23 @@ void ConeShare::cutPair(std::size_t first, std::size_t second)
     };
     cutAtSides(first, b);
     cutAtSides(second, a);
+  }
+  this->cutAtLostEdges(first, b);
+  this->cutAtLostEdges(second, a);
+}
+
+/// Cuts polygon `number` at the edges of `other` where a triangle was left out: it may pass through
+/// that one.
+void ConeShare::cutAtLostEdges(std::size_t number, const Polygon& other)
+{
+  for (std::size_t i = 0; !lostEdges_.empty() && i < 3; ++i)
+  {
+    const std::size_t j = (i + 1) % 3;
+    if (std::binary_search(
+          lostEdges_.begin(), lostEdges_.end(), Edge(std::minmax(other.ids[i], other.ids[j]))))
+    {
+      lines_[number].push_back(lineOf(other.whole[i], other.whole[j]));
+    }
   }
 }
 
