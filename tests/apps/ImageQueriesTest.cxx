@@ -352,6 +352,7 @@ TEST(ImageQueries, DamagedHeadersAreRefusedInOneLine)
   refuses("a.nii.gz", packed.substr(0, 30), "ends before it is unpacked");
   refuses("a.nii.gz", packed.substr(0, packed.size() - 30), "ends before it is unpacked");
   refuses("a.nii.gz", packed.substr(0, 10) + std::string(50, 'x'), "cannot be unpacked");
+  refuses("a.nii.gz", packedByGzip(""), "cannot be unpacked; it is damaged, or packs nothing");
   refuses("a.nii.gz", packedByGzip(nifti.substr(0, 347)), "ends before its header does");
   refuses("a.nii", "x" + nifti, "does not begin like NIfTI");
   std::string infinite = nifti;

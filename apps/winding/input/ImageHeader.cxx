@@ -38,13 +38,15 @@ std::string unpackedBeginningOf(const std::string& fileName, unsigned int bytes)
   const int count = gzread(file.get(), beginning.data(), bytes);
   int status = Z_OK;
   gzerror(file.get(), &status);
-  if (status != Z_OK)
+  // zlib 1.3.2 takes what is damaged from its first byte on for nothing, without an error.
+  if (status != Z_OK || count <= 0)
   {
     throw Failure(EXIT_REFUSED, fileName,
       status == Z_BUF_ERROR ? "ends before it is unpacked; it is damaged, fetch it again"
+      : status == Z_OK      ? "cannot be unpacked; it is damaged, or packs nothing"
                             : "cannot be unpacked; it is damaged, fetch it again");
   }
-  beginning.resize(static_cast<std::size_t>(std::max(0, count)));
+  beginning.resize(static_cast<std::size_t>(count));
   return beginning;
 }
 
