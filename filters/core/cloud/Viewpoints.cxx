@@ -92,7 +92,7 @@ std::vector<Eigen::Vector3d> Viewpoints::directionsFrom(
       std::uint32_t nearest = 0;
       double square = 0;
       const Eigen::Vector3d& place = places.positions()[i];
-      tree.knnSearch(place.data(), 1, &nearest, &square);
+      static_cast<void>(tree.knnSearch(place.data(), 1, &nearest, &square)); // one is found
       directions[i] = unitOrZero(sorted[nearest] - place);
     },
     executor);
