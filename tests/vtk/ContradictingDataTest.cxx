@@ -401,6 +401,7 @@ TEST(ContradictingData, ExtentsThatEndBeforeTheyBegin)
     structured->SetPoints(fourPoints());
     structured->SetExtent(const_cast<int*>(extent));
     expectRefusedAsQueries(structured, fault);
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 6, 0) // assertions of VTK end these since
     const auto image = eightPoints<vtkImageData>();
     image->SetExtent(const_cast<int*>(extent));
     expectRefusedAsQueries(image, fault);
@@ -416,15 +417,18 @@ TEST(ContradictingData, ExtentsThatEndBeforeTheyBegin)
       filter->Update();
       EXPECT_NE(log.errors().find(fault), std::string::npos) << log.errors();
     }
+#endif
   }
 }
 
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 6, 0) // images take memory for each axis since
 TEST(ContradictingData, ExtentBeyondIds)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(std::numeric_limits<int>::max(), std::numeric_limits<int>::max(), 3);
   expectRefusedAsQueries(image, "more points than there are ids");
 }
+#endif
 
 TEST(ContradictingData, ArraysThatAreTooShort)
 {
