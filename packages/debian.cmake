@@ -7,8 +7,12 @@
 # together.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
-set(WINDING_CONTACT "The Winding developers" CACHE STRING
+set(WINDING_CONTACT "The Winding developers <nobody@winding.invalid>" CACHE STRING
   "Who makes the Debian packages: a name, and an address in angle brackets")
+if(NOT WINDING_CONTACT MATCHES "^[^<]+ <[^ @]+@[^ @]+>$")
+  message(FATAL_ERROR "WINDING_CONTACT is '${WINDING_CONTACT}': a changelog of Debian wants a name "
+    "and an address, as in 'Jane Doe <jane@example.org>'")
+endif()
 set(CPACK_PACKAGE_CONTACT "${WINDING_CONTACT}")
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_PACKAGING_INSTALL_PREFIX "${CMAKE_INSTALL_PREFIX}")
@@ -104,10 +108,6 @@ string(STRIP "${licence}" licence)
 string(REPLACE "\n\n" "\n.\n" licence "${licence}")
 string(REPLACE "\n" "\n " licence " ${licence}")
 configure_file(packages/debian/copyright.in "${CMAKE_BINARY_DIR}/copyright" @ONLY)
-set(contact "${WINDING_CONTACT}")
-if(NOT contact MATCHES "<.*>")
-  string(APPEND contact " <>") # which a changelog cannot be read without
-endif()
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 configure_file(packages/debian/changelog.in "${CMAKE_BINARY_DIR}/changelog.Debian" @ONLY)
 configure_file(CHANGELOG.md "${CMAKE_BINARY_DIR}/changelog" COPYONLY)
