@@ -3,6 +3,7 @@
 """Surface Report: counts of what is wrong with a surface or a cloud, and where."""
 
 import ctypes
+import math
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkIdList
@@ -243,8 +244,10 @@ class SurfaceReport(Algorithm):
         points = np.ascontiguousarray(parts.points)
         polygons = polygons_of(parts.corners, parts.offsets)
         bounds = parts.bounds()
-        radius = 0.0 if bounds is None else thickness * float(
-            np.linalg.norm(np.subtract(bounds[1::2], bounds[::2])))
+        # The sum of the plugin in C++; that of numpy.linalg.norm() depends on the machine.
+        x, y, z = (0, 0, 0) if bounds is None else map(float, np.subtract(bounds[1::2],
+                                                                          bounds[::2]))
+        radius = thickness * math.sqrt(x * x + y * y + z * z)
         for place, (name, fault) in enumerate(_FAULTS):
             handle = _library.Handle("winding_mesh_free")
             self.call("winding_faults", _library.array_of(points), ctypes.byref(polygons), fault,
