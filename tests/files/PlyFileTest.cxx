@@ -206,6 +206,10 @@ TEST(PlyFile, StripsBecomeTriangles)
         expectCells(
           one.polygons, {0, 3, 6, 9, 12, 15}, {0, 1, 2, 2, 1, 3, 2, 3, 4, 2, 3, 4, 3, 4, 2});
         EXPECT_EQ(one.notes.size(), 0u);
+        const MeshArrays fromAnOddPlace = parsed(readPly,
+          fileOfLists(format, {{name, "vertex_index", type, {{0, 1, 2, 3, end, 1, 2, 3, 4}}}}));
+        expectCells(
+          fromAnOddPlace.polygons, {0, 3, 6, 9, 12}, {0, 1, 2, 2, 1, 3, 1, 2, 3, 3, 2, 4});
         const MeshArrays several =
           parsed(readPly, fileOfLists(format,
                             {{name, "vertex_index", type, {{0, 1, 2}, {}, {1, 2, 3, 4}, {end}}}}));

@@ -18,6 +18,9 @@ class TestAreas(unittest.TestCase):
             for index in range(2000):
                 self.assertAlmostEqual(array.GetTuple1(index) / (4 * math.pi / 2000), 1, delta=0.1)
             self.assertAlmostEqual(information(areas, "TotalArea"), 4 * math.pi, delta=0.1)
+            named = simple.PointAreas(Input=cloud, ResultArrayName="Patch")
+            self.assertTrue(result(named).GetPointData().HasArray("Patch"))
+            self.assertFalse(result(named).GetPointData().HasArray("Area"))
 
             # The field finds the same on its own.
             fields = [

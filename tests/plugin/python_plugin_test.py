@@ -163,6 +163,23 @@ with open(sys.argv[1], "w") as file:
         self.assertEqual(len(found[0]), 12)
         self.assertEqual(found[1], found[0])
 
+    def test_settings_of_inputs_are_seen_and_cleared(self):
+        """Each call that changes something makes the filter newer."""
+        for plugin in (self.cxx, self.python):
+            out = self.run_text(plugin, """
+calls = {"WindingNumberBoolean": {"InputName": "a", "OtherName": "b", "OperandThreshold": 0.25,
+                                  "OperandInsideRule": 1},
+         "WindingNumberLabels": {"InputName": "a"}}
+for name, settings in calls.items():
+    filter = getattr(simple, name)().SMProxy.GetClientSideObject()
+    for setting, value in settings.items():
+        for method, arguments in (("Set" + setting, (1, value)), ("Clear" + setting + "s", ())):
+            before = filter.GetMTime()
+            getattr(filter, method)(*arguments)
+            print(method, "seen" if filter.GetMTime() > before else "MISSED")
+""")
+            self.assertEqual((out.count("seen"), out.count("MISSED")), (10, 0), out)
+
     def test_states_of_either_are_opened_by_the_other(self):
         make = f"""
 mesh = simple.SurfaceMeshReader(registrationName="mesh", FileName={data!r} + "/teapot.obj")

@@ -391,10 +391,12 @@ class AccessorTest(Warned):
         outward = (found["Normals"] * found.points).sum(axis=1)
         self.assertGreater(outward.min(), 0)
         self.assertEqual(bare.array_names, [])
-        blocks = pv.MultiBlock([bare, None, bare.translate((5, 0, 0))])
+        blocks = pv.MultiBlock([bare, None, bare.rotate_x(90).translate((5, 0, 0))])
         found = blocks.winding.estimate_areas(
             estimate_normals=True, normal_estimation="consistent")
         self.assertEqual(found[2].point_data.active_normals_name, "Normals")
+        outward = (found[2]["Normals"] * (found[2].points - [5, 0, 0])).sum(axis=1)
+        self.assertGreater(outward.min(), 0)
         self.assertRaisesRegex(ValueError, "normal_estimation", bare.winding.estimate_areas,
                                normal_estimation="best")
 

@@ -145,6 +145,8 @@ class ValuesTest(unittest.TestCase):
         grid = field(CORNERS, CUBE, spacing=(0.1, 0.2, 0.5), padding=0)
         self.assertEqual(grid.values.shape, (10, 5, 2))
         np.testing.assert_allclose(grid.origin, [0.05, 0.1, 0.25], atol=1e-12)
+        flat = field(CORNERS[:4] * [1, 1, 0], [[0, 1, 2]], spacing=(0.1, 0.2, 0.25), padding=0.5)
+        self.assertEqual(flat.values.shape, (20, 10, 4))  # the margin of the longest side along z
         grid = field(CORNERS, CUBE, spacing=(0.3, 0.3, 0.25), padding=0.1)
         self.assertEqual(grid.values.shape, (4, 4, 5))
         np.testing.assert_allclose(grid.spacing, [0.3, 0.3, 0.25])

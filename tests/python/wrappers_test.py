@@ -152,6 +152,43 @@ class ClassesTest(unittest.TestCase):
                     count += 1
         self.assertGreater(count, 150)  # 176 with VTK 9.1
 
+    def test_pipelines_see_what_is_set(self):
+        """Every property that has another value afterwards makes its object newer."""
+        def other(value, change):
+            if isinstance(value, tuple):
+                return tuple(other(one, change) for one in value)
+            return "x=1" if value is None or isinstance(value, str) else type(value)(change(value))
+
+        changes = (lambda x: x + 1, lambda x: x - 1, lambda x: x / 2 + 0.125)
+        seen = 0
+        for name, wrapped in CLASSES.items():
+            if name in ABSTRACT:
+                continue
+            for method in sorted(set(dir(wrapped)) - {"SetNamesInMessages"}):  # of the process
+                instance = wrapped()
+                getter = getattr(instance, "Get" + method[3:], None)
+                ours = any(method in vars(cls) for cls in wrapped.__mro__
+                           if cls.__name__ in CLASSES)
+                if not (ours and getter and method.startswith("Set")):
+                    continue
+                with self.subTest(f"{name}.{method}"):
+                    numbers = [0] if getter.__name__ in BY_NUMBER else []
+                    for change in changes:
+                        before, time = getter(*numbers), instance.GetMTime()
+                        if not isinstance(before, (int, float, str, tuple, type(None))):
+                            continue
+                        value = other(before, change)
+                        try:
+                            getattr(instance, method)(
+                                *numbers, *(value if isinstance(value, tuple) else [value]))
+                        except TypeError:  # of objects
+                            continue
+                        if getter(*numbers) != before:
+                            self.assertGreater(instance.GetMTime(), time)
+                            seen += 1
+                            break
+        self.assertGreater(seen, 300)  # 326 with VTK 9.1
+
     def test_choices_are_set_by_name(self):
         count = 0
         for name, wrapped in CLASSES.items():

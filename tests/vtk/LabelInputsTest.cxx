@@ -271,6 +271,9 @@ TEST_F(LabelInputs, SeveralInputsAreSolids)
   EXPECT_EQ(shortsOf(labels->GetOutput()->GetPointData()), expected);
   EXPECT_EQ(names()[0], "Input 1");
   EXPECT_EQ(names()[1], "skull");
+  labels->SetInputName(1, "jaw");
+  labels->Update();
+  EXPECT_EQ(names()[1], "jaw");
   labels->ClearInputNames();
   labels->Update();
   EXPECT_EQ(names()[1], "Input 2");

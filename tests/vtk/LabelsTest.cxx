@@ -5,12 +5,14 @@
 #include "vtk/LabelScenes.h"
 #include "vtk/ProgressLog.h"
 
+#include "vtkAppendPolyData.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
+#include "vtkReverseSense.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindingNumberField.h"
@@ -165,6 +167,37 @@ TEST_F(Labels, FollowRuleAndThreshold)
           << rule << " " << threshold;
       }
     }
+  }
+}
+
+/// A solid that is there twice and looks inward, w = −2, has the larger winding number by the
+/// absolute rule alone.
+TEST_F(Labels, LargestWindingNumbersAreThoseThatTheRuleCompares)
+{
+  vtkNew<vtkReverseSense> inward;
+  inward->SetInputData(ball(0.5, 0, 0, 1));
+  vtkNew<vtkAppendPolyData> twice;
+  twice->AddInputConnection(inward->GetOutputPort());
+  twice->AddInputConnection(inward->GetOutputPort());
+  twice->Update();
+  solids = {ball(0, 0, 0, 1), twice->GetOutput()};
+  labels->SetInputData(asAssembly(solids));
+  labels->SetOverlapRule(Filter::LARGEST_WINDING_NUMBER);
+  for (const int rule : {Filter::SIGNED, Filter::ABSOLUTE})
+  {
+    labels->SetInsideRule(rule);
+    const auto label = made();
+    const auto single = this->fields();
+    std::size_t both = 0;
+    for (std::size_t i = 0; i < label.size(); ++i)
+    {
+      const auto at = static_cast<vtkIdType>(i);
+      const bool isInFirst = single[0]->GetArray("Inside")->GetTuple1(at) != 0;
+      const bool isInSecond = single[1]->GetArray("Inside")->GetTuple1(at) != 0;
+      both += isInFirst && isInSecond;
+      ASSERT_EQ(label[i], isInSecond ? 2 : isInFirst ? 1 : 0) << i << " rule " << rule;
+    }
+    EXPECT_EQ(both > 1000, rule == Filter::ABSOLUTE) << both;
   }
 }
 

@@ -10,6 +10,9 @@
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <utility>
+#include <vector>
+
 /// A sphere whose centre moves along x, by 10 unless it is set, and whose radius grows by its half
 /// from time to time.
 class MovingSphere : public vtkPolyDataAlgorithm
@@ -26,6 +29,13 @@ public:
     this->Modified();
   }
 
+  /// Gives the sphere other times than 0, 1 and 2, in their order.
+  void SetTimes(std::vector<double> times)
+  {
+    times_ = std::move(times);
+    this->Modified();
+  }
+
   /// Opens the sphere below an angle of less than 180 degrees from its north pole.
   void SetEndPhi(double degrees)
   {
@@ -39,9 +49,10 @@ protected:
   int RequestInformation(
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
   {
-    const double times[3] = {0, 1, 2}, range[2] = {0, 2};
+    const double range[2] = {times_.front(), times_.back()};
     vtkInformation* info = outputs->GetInformationObject(0);
-    info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times, 3);
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times_.data(),
+      static_cast<int>(times_.size()));
     info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
     return 1;
   }
@@ -65,4 +76,5 @@ private:
   int resolution_ = 24;
   double step_ = 10;
   double endPhi_ = 180;
+  std::vector<double> times_ = {0, 1, 2};
 };

@@ -128,6 +128,16 @@ TEST(VoxelOverlap, IsCentreOrCornerInsideOrSurfaceTouched)
   winding::SerialExecutor serial;
   std::vector<Source> all = sources();
   all.push_back({"half-turned sphere", fieldOf(halfTurned(icosphere(2))), false});
+  // The membrane of an opening looks to every side, so that each corner decides alone somewhere.
+  const Mesh open = icosphere(2).part(0, 250);
+  for (const Point& axis : {Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1)})
+  {
+    const auto turned = [&axis](const Point& p) -> Point
+    {
+      return 2 * axis.dot(p) * axis - p;
+    };
+    all.push_back({"turned open sphere", fieldOf(open.mapped(turned)), false});
+  }
   for (const Source& source : all)
   {
     const Grid grid = gridOf(*source.field, {13, 10, 9});
