@@ -259,6 +259,12 @@ def of_times(folder):
     note(name, simple.WindingNumberLabels(Input=coming, Resolution=21, UnionOverAllTimes=1))
     told = "\n".join(facts[name]["told"])
     assert all(name in told for name in names), told
+    nothing = simple.Slice(Input=simple.Sphere())
+    nothing.SliceType.Origin = [9, 9, 9]
+    going = series_of([simple.Sphere(), nothing], folder, ".going.vtp")
+    name = "swept labels that go"
+    note(name, simple.WindingNumberLabels(Input=going, Resolution=10, UnionOverAllTimes=1))
+    assert "Part 1" in facts[name]["information"]["LabelLegend"], facts[name]["information"]
     note("one grid for all times", simple.WindingNumberField(
         Input=moving, Resolution=20, BoundsOverAllTimes=1))
     for rule in ("Signed", "Absolute", "Odd"):
