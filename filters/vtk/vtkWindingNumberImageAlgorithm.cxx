@@ -7,6 +7,7 @@
 #include "messages/PropertyChecks.h"
 #include "pipeline/DistinctWarnings.h"
 #include "pipeline/Temporarily.h"
+#include "private/source/CellChecks.h"
 #include "private/source/ContentHash.h"
 #include "private/source/ImageGrid.h"
 #include "voxels/VoxelEvaluation.h"
@@ -102,6 +103,7 @@ void vtkWindingNumberImageAlgorithm::LookAtLike(vtkInformationVector* like)
   this->Like = vtkSmartPointer<vtkImageData>::New();
   if (info->Has(Pipeline::WHOLE_EXTENT()))
   {
+    winding::checkExtent(info->Get(Pipeline::WHOLE_EXTENT()), "the image to lie on");
     this->Like->SetExtent(info->Get(Pipeline::WHOLE_EXTENT()));
   }
   this->Like->CopyInformationFromPipeline(info);

@@ -11,8 +11,11 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageAlgorithm.h"
 #include "vtkImageData.h"
 #include "vtkImplicitWindingNumber.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointAreas.h"
@@ -22,6 +25,7 @@
 #include "vtkRectilinearGrid.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
 #include "vtkSurfaceReport.h"
 #include "vtkUnsignedCharArray.h"
@@ -386,6 +390,38 @@ TEST(ContradictingData, CoordinatesOfRectilinearGrids)
     expectRefusedAsQueries(
       grid, std::string(axis == 2 ? "0" : "1") + " coordinates for 2 points along " + "xyz"[axis]);
   }
+}
+
+/// Announces an image whose extent ends before it begins, as a reader of a damaged file does.
+class BackwardImage : public vtkImageAlgorithm
+{
+public:
+  static BackwardImage* New() { VTK_STANDARD_NEW_BODY(BackwardImage); }
+  vtkTypeMacro(BackwardImage, vtkImageAlgorithm);
+
+protected:
+  BackwardImage() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    const int extent[] = {0, 1, 10, 1, 0, 1};
+    outputs->GetInformationObject(0)->Set(
+      vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+    return 1;
+  }
+};
+
+TEST(ContradictingData, ExtentsThatAreAnnouncedAreRefused)
+{
+  vtkNew<BackwardImage> image;
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputData(tetrahedron());
+  field->SetLikeConnection(image->GetOutputPort());
+  const ErrorLog log(field);
+  field->UpdateInformation();
+  EXPECT_NE(log.errors().find("from 10 to 1 along y"), std::string::npos) << log.errors();
+  EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
 }
 
 TEST(ContradictingData, ExtentsThatEndBeforeTheyBegin)

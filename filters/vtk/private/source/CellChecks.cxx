@@ -63,26 +63,23 @@ void checkOffsets(vtkCellArray* cells, const std::string& name)
 
 /// Refuses an `extent` that ends before it begins, where VTK counts points or cells of it all the
 /// same. Returns its numbers of points along the axes.
-std::array<double, 3> checkExtent(vtkDataSet* data, const int* extent, const std::string& name)
+std::array<double, 3> checkSizes(vtkDataSet* data, const int* extent, const std::string& name)
 {
+  if (data->GetNumberOfPoints() != 0 || data->GetNumberOfCells() != 0) // may be negative
+  {
+    checkExtent(extent, name);
+  }
   std::array<double, 3> sizes; // cannot overflow, as integers could
-  const bool isEmpty = data->GetNumberOfPoints() == 0 && data->GetNumberOfCells() == 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const int first = extent[2 * axis], last = extent[2 * axis + 1];
-    sizes[axis] = std::max(0.0, 1.0 + last - first);
-    if (!isEmpty && 1.0 + last < first)
-    {
-      refuse(name, "has an extent that runs from " + std::to_string(first) + " to " +
-                     std::to_string(last) + " along " + "xyz"[axis]);
-    }
+    sizes[axis] = std::max(0.0, 1.0 + extent[2 * axis + 1] - extent[2 * axis]);
   }
   return sizes;
 }
 
 void checkNodes(vtkStructuredGrid* grid, const std::string& name)
 {
-  const std::array<double, 3> sizes = checkExtent(grid, grid->GetExtent(), name);
+  const std::array<double, 3> sizes = checkSizes(grid, grid->GetExtent(), name);
   const vtkIdType points = grid->GetNumberOfPoints();
   if (sizes[0] * sizes[1] * sizes[2] > static_cast<double>(points))
   {
@@ -93,7 +90,7 @@ void checkNodes(vtkStructuredGrid* grid, const std::string& name)
 
 void checkCoordinates(vtkRectilinearGrid* grid, const std::string& name)
 {
-  const std::array<double, 3> sizes = checkExtent(grid, grid->GetExtent(), name);
+  const std::array<double, 3> sizes = checkSizes(grid, grid->GetExtent(), name);
   vtkDataArray* const coordinates[] = {
     grid->GetXCoordinates(), grid->GetYCoordinates(), grid->GetZCoordinates()};
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -224,6 +221,19 @@ void checkGridCell(
 
 } // namespace
 
+void checkExtent(const int* extent, const std::string& name)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const int first = extent[2 * axis], last = extent[2 * axis + 1];
+    if (1.0 + last < first)
+    {
+      refuse(name, "has an extent that runs from " + std::to_string(first) + " to " +
+                     std::to_string(last) + " along " + "xyz"[axis]);
+    }
+  }
+}
+
 void checkStructure(vtkDataSet* data, const std::string& name)
 {
   if (auto* polyData = vtkPolyData::SafeDownCast(data))
@@ -252,7 +262,7 @@ void checkStructure(vtkDataSet* data, const std::string& name)
   }
   else if (auto* image = vtkImageData::SafeDownCast(data))
   {
-    const std::array<double, 3> sizes = checkExtent(image, image->GetExtent(), name);
+    const std::array<double, 3> sizes = checkSizes(image, image->GetExtent(), name);
     if (sizes[0] * sizes[1] * sizes[2] > static_cast<double>(VTK_ID_MAX))
     {
       refuse(name, "has more points than there are ids");

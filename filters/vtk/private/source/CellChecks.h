@@ -20,6 +20,10 @@ namespace winding
  * data sets.
  */
 
+/// Refuses an `extent` of six numbers that ends before it begins by more than one. VTK may count
+/// points of it all the same, and ends the process where an image is to have it (VTK 9.6).
+void checkExtent(const int* extent, const std::string& name);
+
 /**
  * Refuses offsets of cells that lead out of their list of ids, cells without a type, grids whose
  * extents end before they begin, and structured and rectilinear grids with fewer points or
