@@ -116,7 +116,9 @@ def _points_of_image(image):
     steps = [axes[axis] * image.GetSpacing()[axis] for axis in range(3)]
     z, y, x = np.meshgrid(*steps[::-1], indexing="ij")
     places = np.stack([x.ravel(), y.ravel(), z.ravel()], 1)
-    turned = places if (matrix == np.eye(3)).all() else places @ matrix.T
+    # Summed one by one: the bits of a product of matrices depend on the machine.
+    turned = places if (matrix == np.eye(3)).all() else (
+        places[:, :1] * matrix[:, 0] + places[:, 1:2] * matrix[:, 1] + places[:, 2:] * matrix[:, 2])
     return turned + np.array(image.GetOrigin())
 
 
