@@ -296,11 +296,16 @@ TEST_F(Boolean, TimesAllOperands)
   large->SetPhiResolution(400);
   large->Update();
   const auto small = boxOf(0, 0.1, 0, 0.1, 0, 0.1);
-  this->made(small, large->GetOutput(), Filter::UNION);
-  const double seconds = filter->GetPrepareSeconds();
-  EXPECT_GT(seconds, 0);
-  this->made(large->GetOutput(), small, Filter::UNION);
-  EXPECT_GT(filter->GetPrepareSeconds(), 0.2 * seconds);
+  double asSecond = 1e300, asFirst = 1e300; // the least, for other programs may be in the way
+  for (int run = 0; run < 3; ++run)
+  {
+    this->made(small, large->GetOutput(), Filter::UNION);
+    asSecond = std::min(asSecond, filter->GetPrepareSeconds());
+    this->made(large->GetOutput(), small, Filter::UNION);
+    asFirst = std::min(asFirst, filter->GetPrepareSeconds());
+  }
+  EXPECT_GT(asSecond, 0);
+  EXPECT_GT(asFirst, 0.2 * asSecond);
 }
 
 TEST_F(Boolean, ComparesUnitsOfInputsAndNotOfBlocks)
