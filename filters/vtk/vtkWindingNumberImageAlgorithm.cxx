@@ -317,7 +317,7 @@ bool vtkWindingNumberImageAlgorithm::MakeUnion(
   const winding::Temporarily<decltype(this->SweptSamples)> swept(
     this->SweptSamples, std::vector<std::uint64_t>());
   winding::DistinctWarnings warnings(this);
-  return this->ForEachTime(outInfo,
+  const bool isUnion = this->ForEachTime(outInfo,
     [&](std::size_t number, std::size_t count)
     {
       this->CheckUnion();
@@ -339,6 +339,8 @@ bool vtkWindingNumberImageAlgorithm::MakeUnion(
         this->UniteTimes(image, part);
       }
     });
+  this->LookAtSource(this->GetSource()); // which has its time back; the last one may be empty
+  return isUnion;
 }
 
 winding::VoxelEvaluation vtkWindingNumberImageAlgorithm::GetVoxelEvaluation() const

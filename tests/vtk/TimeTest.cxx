@@ -647,6 +647,19 @@ TEST_F(Time, UnionOverAllTimesOfLabelsNamesOneSolidAtAllTimes)
 }
 
 /// A source whose union is refused is at its own time after it.
+TEST_F(Time, UnionOverAllTimesKeepsTheKindOfTheSource)
+{
+  vtkNew<ComingAndGoing> solids;
+  solids->names = {"left", "left", ""};
+  vtkNew<vtkWindingNumberLabels> labels;
+  labels->SetInputConnection(solids->GetOutputPort());
+  labels->SetResolution(10);
+  labels->UnionOverAllTimesOn();
+  labels->Update();
+  EXPECT_EQ(labels->GetSourceKind(), vtkWindingNumberLabels::MESH_SOURCE);
+  EXPECT_EQ(labels->GetOutput()->GetPointData()->GetScalars()->GetRange()[1], 1);
+}
+
 TEST_F(Time, UnionOverAllTimesGivesTheSourceItsTimeBack)
 {
   vtkNew<ComingAndGoing> source;
