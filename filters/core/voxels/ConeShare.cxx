@@ -57,10 +57,9 @@ Eigen::Vector3d lineThrough(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return {x, y, -(x * a[0] + y * a[1])};
 }
 
-/// Returns the line that an edge is seen as, as a linear function of (q₁, q₂, 1).
-Eigen::Vector3d lineOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+/// Returns `normal` · (q₁, q₂, 1 − q₁ − q₂) as a linear function of (q₁, q₂, 1).
+Eigen::Vector3d alongDirections(const Eigen::Vector3d& normal)
 {
-  const Eigen::Vector3d normal = a.cross(b); // of the plane through the apex
   return {normal[0] - normal[2], normal[1] - normal[2], normal[2]};
 }
 
@@ -220,11 +219,10 @@ void ConeShare::add(const ConeTriangle& triangle, const Eigen::Matrix3d& weights
   }
   polygon.doubleArea = std::abs(area);
   polygon.step = polygon.isTurned == isInverted ? -triangle.multiplicity : triangle.multiplicity;
-  // normal · (q₁, q₂, 1 − q₁ − q₂) / height is the inverse depth.
-  polygon.inverseDepth =
-    Eigen::Vector3d(normal[0] - normal[2], normal[1] - normal[2], normal[2]) / height;
-  // Seen at a small angle, or much larger than the cone, a triangle has a depth with few digits. By
-  // random cases 1 to 4 times this is enough; with 8 layers count as one that others are between.
+  polygon.inverseDepth = alongDirections(normal) / height;
+  // Seen at a small angle, or much larger than the cone, a triangle has a depth with few digits.
+  // Random cases pass with 1 to 4 times this; with 8 two layers count as one, and a third may lie
+  // between them.
   const double reach = std::max({whole[0].norm(), whole[1].norm(), whole[2].norm()}) *
                        (whole[1] - whole[0]).norm() * (whole[2] - whole[0]).norm();
   polygon.rounding = 4 * std::numeric_limits<double>::epsilon() * reach / std::abs(height);
@@ -333,13 +331,13 @@ void ConeShare::cutPair(std::size_t first, std::size_t second)
 /// that one.
 void ConeShare::cutAtLostEdges(std::size_t number, const Polygon& other)
 {
-  for (std::size_t i = 0; !lostEdges_.empty() && i < 3; ++i)
+  for (std::size_t i = 0; i < 3; ++i)
   {
     const std::size_t j = (i + 1) % 3;
-    if (std::binary_search(
-          lostEdges_.begin(), lostEdges_.end(), Edge(std::minmax(other.ids[i], other.ids[j]))))
+    const Edge edge = std::minmax(other.ids[i], other.ids[j]);
+    if (std::binary_search(lostEdges_.begin(), lostEdges_.end(), edge))
     {
-      lines_[number].push_back(lineOf(other.whole[i], other.whole[j]));
+      lines_[number].push_back(alongDirections(other.whole[i].cross(other.whole[j])));
     }
   }
 }

@@ -104,8 +104,7 @@ private:
   double threshold_;
   bool isParity_;
   std::vector<Polygon> polygons_;
-  std::vector<Edge>
-    lostEdges_; ///< of triangles that are seen edge-on, or as narrower than rounding
+  std::vector<Edge> lostEdges_; ///< of the triangles that are left out, sorted
   std::vector<std::uint32_t> order_;
   std::vector<std::vector<Overlap>> others_;        ///< by polygon, those that overlap it
   std::vector<std::vector<Eigen::Vector3d>> lines_; ///< by polygon, lines to cut it along
