@@ -188,7 +188,7 @@ TEST_F(Time, BoundsOverAllTimesAreThoseOfTheSourceAsItIsTaken)
   }
 }
 
-/// The bounds of all times reach as far beyond the source as those of one time do.
+/// The grid reaches beyond the bounds of all times by the offset.
 TEST_F(Time, BoundsOverAllTimesReachToTheOffset)
 {
   constexpr double offset = 0.75;
@@ -234,7 +234,7 @@ TEST_F(Time, BoundsOverAllTimesKeepTheTimeOfTheFirstSource)
   }
 }
 
-/// The times of a probe are those of its source, and those of queries where the source has none.
+/// The source gives a probe its times, or the queries do where the source has none.
 TEST_F(Time, ProbeHasTheTimesOfItsSource)
 {
   vtkNew<MovingSphere> queries;
@@ -646,7 +646,7 @@ TEST_F(Time, UnionOverAllTimesOfLabelsNamesOneSolidAtAllTimes)
     << ofRefused.errors();
 }
 
-/// A source whose union is refused is at its own time after it.
+/// A source that is empty at the last time still has its kind.
 TEST_F(Time, UnionOverAllTimesKeepsTheKindOfTheSource)
 {
   vtkNew<ComingAndGoing> solids;
@@ -660,6 +660,7 @@ TEST_F(Time, UnionOverAllTimesKeepsTheKindOfTheSource)
   EXPECT_EQ(labels->GetOutput()->GetPointData()->GetScalars()->GetRange()[1], 1);
 }
 
+/// A source whose union is refused is at its own time after it.
 TEST_F(Time, UnionOverAllTimesGivesTheSourceItsTimeBack)
 {
   vtkNew<ComingAndGoing> source;
@@ -695,8 +696,7 @@ TEST_F(Time, UnionOverAllTimesOfARangeWithoutStepsIsRefused)
   EXPECT_NE(log.errors().find("no steps"), std::string::npos) << log.errors();
 }
 
-/// Each time alone is within the limit, and all of them together are not.
-/// A union of thirty times is refused where the expected time may be that of three.
+/// Each time alone is within the limit, three times the seconds of one, and thirty are not.
 TEST_F(Time, UnionOverAllTimesKeepsTheLongestExpectedTime)
 {
   vtkNew<MovingSphere> large;
