@@ -244,9 +244,9 @@ class SurfaceReport(Algorithm):
         points = np.ascontiguousarray(parts.points)
         polygons = polygons_of(parts.corners, parts.offsets)
         bounds = parts.bounds()
-        # The sum of the plugin in C++; that of numpy.linalg.norm() depends on the machine.
-        x, y, z = (0, 0, 0) if bounds is None else map(float, np.subtract(bounds[1::2],
-                                                                          bounds[::2]))
+        # As the plugin in C++ sums: numpy.linalg.norm() gives other bits on some machines.
+        x, y, z = (0, 0, 0) if bounds is None else (
+            float(high) - float(low) for low, high in zip(bounds[::2], bounds[1::2]))
         radius = thickness * math.sqrt(x * x + y * y + z * z)
         for place, (name, fault) in enumerate(_FAULTS):
             handle = _library.Handle("winding_mesh_free")
