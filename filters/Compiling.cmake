@@ -51,9 +51,9 @@ set(winding_vtk_headers
   vtkMultiBlockDataSet.h vtkNew.h vtkPointData.h vtkPoints.h vtkPolyData.h vtkSmartPointer.h
   vtkStringArray.h vtkUnsignedCharArray.h vtkUnstructuredGrid.h)
 
-# winding_precompile(<target> <headers>…): precompiles these headers of others, and those of the
-# standard library that most files include. A file that forgets one compiles all the same. The presets
-# clang and dev find it, which are without, and so is a build without presets.
+# winding_precompile(<target> <headers>…): precompiles these headers of others, and the headers
+# of the standard library that most files include. A file that forgets one compiles all the same.
+# The presets clang and dev find it, which are without, and so is a build without presets.
 function(winding_precompile target)
   list(TRANSFORM ARGN PREPEND "$<$<COMPILE_LANGUAGE:CXX>:<" OUTPUT_VARIABLE headers)
   list(TRANSFORM headers APPEND "$<ANGLE-R>>")

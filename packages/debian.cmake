@@ -63,7 +63,7 @@ Manage Plugins.")
     file(CREATE_LINK "${plugin}" "${listed}" SYMBOLIC)
     install(FILES "${listed}" DESTINATION "${winding_listed_folder}")
   else()
-    # ParaView's programs load what paraview.conf beside them names.
+    # ParaView's programs load what paraview.conf next to them names.
     file(RELATIVE_PATH plugins "${CMAKE_INSTALL_FULL_BINDIR}"
       "${CMAKE_INSTALL_PREFIX}/${winding_plugins_folder}/winding.plugins.xml")
     file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/paraview.conf" CONTENT "${plugins}\n")

@@ -12,7 +12,7 @@ void setColorDefaults()
   constexpr const char* name = ".array_lookup_tables.WindingNumber.PVLookupTable";
   // ParaView's own defaults have priority 0, settings of the site and of the user 1 and more.
   constexpr double priority = 0.5;
-  // The mode −1 is never, the colour space 3 diverging; the colours are those of Cool to Warm.
+  // The mode −1 is never, the colour space 3 diverging; the colours are Cool to Warm.
   constexpr const char* colors =
 #include "ColorDefaults.inc"
     ;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # winding_install_licence(<package> <library> <files…>): puts the licence of a library that is linked
-# into a wheel next to its package. Files are those of the library's sources or of Debian's package,
+# into a wheel next to its package. Files are from the library's sources or from Debian's package,
 # and those that are there are taken; none is an error.
 function(winding_install_licence package library)
   set(found)
@@ -18,7 +18,7 @@ function(winding_install_licence package library)
   endif()
 endfunction()
 
-# winding_install_licences(<package>): those of what filters/Dependencies.cmake finds.
+# winding_install_licences(<package>): the licences of what filters/Dependencies.cmake finds.
 function(winding_install_licences package)
   winding_install_licence(${package} Highway "${hwy_SOURCE_DIR}/LICENSE"
     "${hwy_SOURCE_DIR}/LICENSE-BSD3" "/usr/share/common-licenses/Apache-2.0"

@@ -73,8 +73,8 @@ std::vector<std::size_t> columnsOf(
 /// Names for `count` columns that have none: Column 1, Column 2 and so on.
 std::vector<std::string> numberedColumns(std::size_t count);
 
-/// Names for the arrays of these columns, all different, and none of them taken: those of the
-/// columns where that is possible. A column without a name is called Column and its number, from 1
+/// Names for the arrays of these columns, all different, and none of them taken: the columns' own
+/// where that is possible. A column without a name is called Column and its number, from 1
 /// on, and one whose name another array has gets its number behind it.
 std::vector<std::string> namesOfArrays(const std::vector<std::size_t>& columns,
   const std::vector<std::string>& names, std::set<std::string> taken);

@@ -60,7 +60,7 @@ struct Option
   std::vector<Choice> choices;
 };
 
-/// Returns the option, or nullptr for what messages name beside options.
+/// Returns the option, or nullptr for what messages name besides options.
 const Option* optionOf(Parameter parameter);
 
 /// Returns the name that setters give choice `number`, as SpanningTree in

@@ -57,8 +57,8 @@ int kindOf(vtkDataObject* source)
   }
 }
 
-/// The share of progress that estimated normals take. They may take longer than all else, or little
-/// beside many samples.
+/// The share of progress that estimated normals take. They may take longer than all else, or,
+/// for many samples, little.
 constexpr double progressOfNormals = 0.5;
 
 /// Keeps the shift and scale of a filter's progress, which an execution may change, as it was.

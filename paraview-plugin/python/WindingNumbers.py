@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Winding numbers in ParaView, without a compiler: Tools > Manage Plugins > Load New, then this file.
 
-The folders beside this file belong to it: icons, xml, vtkwinding, winding_paraview. On a server it is
-loaded there, too, from a folder that all ranks can read.
+The folders next to this file belong to it: icons, xml, vtkwinding, winding_paraview. On a server it
+is loaded there, too, from a folder that all ranks can read.
 """
 
 import os
@@ -31,8 +31,8 @@ def _start():
                      f"{sys.version.split()[0]}")
     for name in ("vtkwinding", "winding_paraview", "xml"):
         if not os.path.isdir(os.path.join(_FOLDER, name)):
-            return _fail(f"{needs}the folder {name} beside WindingNumbers.py: unpack the whole zip "
-                         f"into {_FOLDER}")
+            return _fail(f"{needs}the folder {name} next to WindingNumbers.py: unpack the whole "
+                         f"zip into {_FOLDER}")
     loaded = sys.modules.get("winding_paraview.proxies")
     if loaded is None or os.path.dirname(os.path.dirname(loaded.__file__)) != _FOLDER:
         _forget()

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Type stubs of the wrapped modules, by VTK's generator. It imports the package from the build tree;
-# the libraries of the wheel vtk have to be there before the module finds those of the SDK.
+# the libraries of the wheel vtk have to be there before the module finds the SDK's.
 set(package "${CMAKE_CURRENT_BINARY_DIR}/vtkwinding_native")
 set(modules vtkFiltersWinding vtkIOWinding)
 set(stubs ${modules})

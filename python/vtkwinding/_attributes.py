@@ -41,7 +41,7 @@ class Attributes:
     """The arrays of a source, for what is near to it.
 
     transfer: whether results take over its arrays. numbers: whether they get 'NearestCell', and of
-    composite data 'NearestBlock'. The other options are those of source_of(), the options of fields
+    composite data 'NearestBlock'. The other options are as in source_of(), the options of fields
     as the library has them, and a function for notes."""
 
     def __init__(self, data, options, *, transfer, numbers, threads=0, note=_library.warn, **arrays):
@@ -263,7 +263,7 @@ def _rows_of(values, rows, are_near):
 
 
 def _between(values, found, is_continuous, are_near):
-    """The values between three points, or those of the point with the largest weight, of which the
+    """The values between three points, or at the point with the largest weight, of which the
     least counts where several are equal."""
     if not is_continuous:
         best, largest = found.corners[:, 0].copy(), found.weights[:, 0].copy()

@@ -22,7 +22,7 @@ def boolean(solids: list[fields.Field], operation: str = "union", *, resolution:
 
     Each field is one solid, by its own threshold and rule. operation: 'union', 'intersection',
     'difference', the first without the others, or 'xor', what an odd number of them have. The other
-    arguments are those of Field.surface(). The grid is laid over what the result can reach.
+    arguments are as in Field.surface(). The grid is laid over what the result can reach.
     """
     if isinstance(solids, fields.Field):
         raise TypeError("solids must be a list of Field, not a Field")
@@ -55,8 +55,8 @@ def reaches_beyond(rule, threshold, sheet_side):
 
 
 def reach_of(boxes, operation, are_beyond):
-    """The box that the result of an operation can reach; None for no source. The boxes are those of
-    the sources, or None. Solids that reach beyond theirs set no limit to others."""
+    """The box that the result of an operation can reach; None for no source. The boxes are the
+    bounds of the sources, or None. Solids that reach beyond theirs set no limit to others."""
     if operation == _options.OPERATIONS["difference"] and boxes and boxes[0] is not None:
         return list(boxes[0])
     there = np.array([box for box in boxes if box is not None])

@@ -13,7 +13,7 @@ _POINTS = {1: 1, 3: 2, 5: 3, 8: 4, 9: 4, 10: 4, 11: 8, 12: 8, 13: 6, 14: 5, 15: 
            22: 6, 23: 8, 24: 10, 25: 20, 26: 15, 27: 13, 28: 9, 29: 27, 30: 6, 31: 12, 32: 18,
            33: 24, 34: 7, 35: 4, 37: 19}
 _ORDERS = range(1, 11)
-# Those of Lagrange and Bezier cells with the same degree along all axes.
+# For Lagrange and Bezier cells with the same degree along all axes.
 _TRIANGLES = {(n + 1) * (n + 2) // 2 for n in _ORDERS} | {7}
 _QUADS = {(n + 1)**2 for n in _ORDERS}
 _TETRAS = {(n + 1) * (n + 2) * (n + 3) // 6 for n in _ORDERS} | {15}

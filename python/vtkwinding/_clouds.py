@@ -36,7 +36,7 @@ def _of_mesh(leaf, **run):
 
 
 def cloud_of(source, **run):
-    """A source as the cloud of its points. Points without normals have those of their polygons, and
+    """A source as the cloud of its points. Points without normals have their polygons', and
     all are without where some can have none, for all are to be oriented together."""
     made = copy.copy(source)
     made.corners = made.offsets = None

@@ -445,7 +445,7 @@ class SourceField(Field):
 
     def cut_distances(self, places, kept, are_cut, sides, show=None):
         """Numbers by which clipped_part() of _parts finds where the inside ends, for all points of
-        data: `places` are those of cells that are cut."""
+        data: `places` are the places of cells that are cut."""
         kinds = {"winding": np.dtype("f8"), "distance": np.dtype("f8")}
         if not self.is_closed:
             kinds["gradient"] = np.dtype("f8")

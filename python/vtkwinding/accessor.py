@@ -98,7 +98,7 @@ def _copied(mesh):
 
 
 def _fill(copy, values, names, association="point"):
-    """Gives a copy of the input the values at its points or cells, those of all blocks in a row,
+    """Gives a copy of the input the values at its points or cells, all blocks in a row,
     as arrays of new names, of which the last becomes active."""
     first = 0
     for leaf in _leaves(copy):
@@ -295,7 +295,7 @@ class WindingAccessor:
                  progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.UnstructuredGrid:
         """UnstructuredGrid of the voxels inside, as DataSetFilters.voxelize makes it.
 
-        As there, dimensions are those of the points of the voxels, one more than there are voxels.
+        As there, dimensions count the points of the voxels, one more than there are voxels.
         """
         if dimensions is not None:
             dimensions = [count - 1 for count in _grids.dimensions_of(dimensions)]
@@ -463,8 +463,7 @@ class WindingAccessor:
         return surface
 
     def _probe(self, surface, kinds, progress_bar, message, options, association="point"):
-        """Values of the field of a surface at the points or cells of this mesh, those of all blocks
-        in a row."""
+        """Values of the field of a surface at the points or cells of this mesh, block by block."""
         if not isinstance(self._mesh, (pv.DataSet, pv.MultiBlock)):
             raise TypeError(f"the mesh must have points, not be a {type(self._mesh).__name__}")
         at_cells = _options.choice("association", association, _options.ASSOCIATIONS) == 1
@@ -555,7 +554,7 @@ class WindingAccessor:
                         progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.DataObject:
         """A copy with the point array 'implicit_distance': distances to a surface, negative inside.
 
-        They are those of DataSetFilters.compute_implicit_distance, but their signs come from
+        They are as in DataSetFilters.compute_implicit_distance, but their signs come from
         winding numbers, so the surface need not be closed. inplace adds the array to this mesh.
         """
         values = self._probe(surface, {"distance": np.dtype("f8")}, progress_bar,
@@ -785,7 +784,7 @@ class WindingAccessor:
             if leaf.data.GetNumberOfPoints() != len(leaf.points) or (
                     not leaf.data.IsA("vtkPolyData") and leaf.corners is not None):
                 raise WindingError("extract the surface first: the points of its outer surface are "
-                                   "not those of the mesh")
+                                   "not the points of the mesh")
         with bar(progress_bar, "Estimating areas") as show:
             areas, normals = _clouds.areas_of(
                 source, number, estimates=_options.flag("estimate_normals", estimate_normals),

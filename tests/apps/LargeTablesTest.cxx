@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Tables of so many rows that several threads read them.
+/// Tables with enough rows for several threads to read them.
 
 #include "apps/Inputs.h"
 #include "apps/RunProgram.h"

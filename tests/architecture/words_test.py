@@ -22,12 +22,12 @@ RIDDLE = re.compile(rf"^\s*(///<?|//|/\*\*|\*) {OPENING} ")
 # Words to avoid in filters and apps (CONTRIBUTING.md), and how often they may still stand there.
 # Lower a number when you have made it fall; never raise one.
 MOST = {
-    r"(those|that) of": 29,
+    r"(those|that) of": 15,
     r"tells?|told|telling": 26,
-    r"beside": 11,
-    r"so (many|much|long|far|few)": 19,
+    r"beside": 5,
+    r"so (many|much|long|far|few)": 17,
     r"of (which|whom)": 15,
-    r"but for": 1,
+    r"but for": 0,
     r"such": 41,
 }
 COMMENT_MARK = re.compile(r"\s*\n\s*(///?<?|\*)?\s*")

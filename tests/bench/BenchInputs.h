@@ -43,5 +43,5 @@ winding::SampleBlock someSamples();
 /// n³ samples over the sphere and a margin.
 winding::Grid gridAround(int n);
 
-/// Reports the time of one of so many things that each iteration does.
+/// Reports the time of one of the `count` things that each iteration does.
 void reportTimePer(benchmark::State& state, const char* what, std::size_t count);

@@ -103,7 +103,7 @@ TEST_F(Laboratory, Kernels)
   }
 }
 
-/// Expects the three tables of hierarchical to agree with each other, for so many far fields.
+/// Expects the three tables of hierarchical to agree with each other, for `fields` far fields.
 void expectExplained(const nlohmann::json& tables, std::size_t fields, double tolerance)
 {
   ASSERT_EQ(tables.size(), 3u);

@@ -4,7 +4,7 @@
 
 Usage: cloud_peers.py <winding> <points> <noise in percent of the diagonal> <mesh>…
 
-Meshes are .stl, .obj or .ply, and closed, such as those that assemblies.py makes. So many points
+Meshes are .stl, .obj or .ply, and closed, such as those that assemblies.py makes. The points
 are drawn evenly on each, and moved by normally distributed steps. Compared are `winding
 --normal-estimation` tree, consistent and auto; vtkPCANormalEstimation with orientations along its
 graph; and, if it is installed, Open3D's estimate_normals() with

@@ -129,7 +129,7 @@ vtkSmartPointer<vtkCellArray> stored(const Cells& cells, Storage storage)
   return array;
 }
 
-/// A torus about the z axis: so many rings of points around it, so many points around each.
+/// A torus about the z axis: rings of points around it, and points around each.
 constexpr int rings = 24;
 constexpr int pointsPerRing = 12;
 constexpr double radius = 1;

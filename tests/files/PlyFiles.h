@@ -109,7 +109,7 @@ inline std::string faceHead(
          " vertex_indices\n";
 }
 
-/// A file of so many vertices (i, 2 i, 3 i) and of some faces.
+/// A file of vertices (i, 2 i, 3 i) and of some faces.
 inline std::string meshFile(
   const std::string& format, std::size_t vertices, const std::vector<Ids>& faces)
 {

@@ -456,7 +456,7 @@ TEST(TableFile, ThreadsAndBlocksChangeNothing)
     shapes::ShuffledThreads threads(seed);
     way.bytesPerBlock = 64;
     expectSameTable(read(contents, way, threads), whole);
-    way.bytesPerBlock = 3; // there are so many that starting threads for them takes long
+    way.bytesPerBlock = 3; // starting threads for all of them takes long
     SerialExecutor serial;
     Executor& executor = seed % 6 == 0 ? static_cast<Executor&>(threads) : serial;
     expectSameTable(read(contents, way, executor), whole);
@@ -523,7 +523,7 @@ TEST(TableFile, EndsWhenInterrupted)
   }
 }
 
-/// Writes other contents into a file when so many runs are done.
+/// Writes other contents into a file after `runs` runs.
 class ChangingFile final : public Executor
 {
 public:

@@ -20,10 +20,10 @@
 namespace fuzz
 {
 
-/// A mesh of at most so many triangles. Some have unusable ones.
+/// A mesh of at most `mostTriangles`. Some meshes have unusable ones.
 shapes::Mesh randomMesh(Choices& choices, int mostTriangles);
 
-/// A mesh that is closed and has no triangles but those of a solid, oriented outward.
+/// A mesh that is closed and has only the triangles of a solid, oriented outward.
 shapes::Mesh randomSolid(Choices& choices);
 
 /// Points with normals, and areas unless that is empty.

@@ -31,7 +31,7 @@ using namespace winding;
 using shapes::Mesh;
 using shapes::Point;
 
-/// Samples within so many sizes of coordinates of a triangle may be on either side of it.
+/// Samples nearer to a triangle, in sizes of coordinates, may be on either side of it.
 constexpr double onSurface = 0x1p-42;
 
 /// A sample as it is known without any method.

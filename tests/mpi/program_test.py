@@ -32,7 +32,7 @@ class Runs:
         return [*launcher, self.program, *words]
 
     def run(self, words, ranks=0, status=0):
-        """Runs the program with so many ranks, 0 for one without mpirun."""
+        """Runs the program with `ranks` ranks, 0 for one without mpirun."""
         print(ranks, "ranks: winding", *words, flush=True)
         run = subprocess.run(self.command(words, ranks), cwd=self.folder, capture_output=True,
                              text=True, timeout=120)

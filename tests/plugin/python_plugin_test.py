@@ -235,8 +235,8 @@ for name, proxy in (("field", field), ("surface", surface), ("areas", areas)):
         plugin = broken / "WindingNumbers.py"
         plugin.write_text(pathlib.Path(self.python).read_text())
         out = self.run_text(str(plugin), "", fails=True)
-        self.assertIn("Winding Numbers needs the folder vtkwinding beside WindingNumbers.py: unpack "
-                      "the whole zip", out)
+        self.assertIn("Winding Numbers needs the folder vtkwinding next to WindingNumbers.py: "
+                      "unpack the whole zip", out)
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ import vtkwinding
 from arrays_test import CORNERS, CUBE, sphere
 from vtkwinding import _library, fields
 
-# The direct sum of an open sphere at so many points takes two minutes and more.
+# The direct sum of an open sphere at these points takes two minutes and more.
 LONG = """
 import os, signal, sys, threading, time
 import numpy as np

@@ -40,7 +40,7 @@ inline Mesh latticeSoup(std::size_t count, int n, unsigned seed)
   return mesh;
 }
 
-/// All triangles of a mesh so many times over the same points.
+/// All triangles of a mesh, `copies` times over the same points.
 inline Mesh copiesOf(Mesh mesh, std::size_t copies)
 {
   const std::size_t once = mesh.triangles.size();

@@ -7,7 +7,7 @@
 namespace shapes
 {
 
-/// An executor that is interrupted after so many whole runs and so many blocks of the next, and in
+/// An executor that is interrupted after a number of whole runs and of blocks of the next, and in
 /// all runs after that.
 class Interruption final : public winding::Executor
 {

@@ -282,7 +282,7 @@ std::string RunReport::errorsInWords(const Json& report) const
 {
   if (verified_ + nearVerified_ == 0)
   {
-    return besidePoints_ > 0 ? "all samples that could be compared lie beside points"
+    return besidePoints_ > 0 ? "all samples that could be compared lie near points"
                              : "no sample could be compared";
   }
   const std::string everywhere = verified_ > 0 ? "error max " + report["max_error"].dump() +
@@ -301,7 +301,7 @@ std::string RunReport::uncomparedInWords(const Json& report) const
   {
     text += std::to_string(besidePoints_) + " of " + all +
             (besidePoints_ == 1 ? " samples lies " : " samples lie ") +
-            "beside a point, where w is large: error max " +
+            "near a point, where w is large: error max " +
             report["beside_points_max_error"].dump() + "\n";
   }
   if (onSurface_ > 0)

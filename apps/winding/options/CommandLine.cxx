@@ -48,8 +48,8 @@ void addField(CLI::App& app, Options& options)
   addDistance(field, options);
   addNearestCells(field, options);
   CLI::Option* band = field->add_option("--distance-band", options.distanceBand,
-    "Distances up to so many voxels only, which takes less time; farther voxels get that distance "
-    "(0: all)");
+    "Distances up to this number of voxels, which takes less time; farther voxels get that "
+    "distance (0: all)");
   addArrayName(field, options);
   CLI::Option* asDouble =
     field->add_flag("--double", options.asDouble, "Numbers in double precision, not float");
@@ -235,8 +235,8 @@ void addNormals(CLI::App& app, Options& options)
     normals, options, ".ply .xyz .pwn, points with normals; .vtp .vtu .csv .tsv, with areas, too");
   normals
     ->add_flag("--replace", options.replace,
-      "Estimate normals for points that have some, or for those of a mesh; without it, they keep "
-      "theirs, and points of a mesh get those of its faces")
+      "Estimate normals for points that have some, or for points of a mesh; without it, they keep "
+      "theirs, and points of a mesh get the normals of its faces")
     ->group("Method");
   addPointAreas(normals, options,
     "Areas of the points: voronoi, each point's cell among its neighbours | mesh, a third of the "

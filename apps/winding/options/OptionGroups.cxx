@@ -22,7 +22,7 @@ void addGrid(CLI::App* command, Options& options)
   CLI::Option* dimensions = command->add_option(
     "--dims", options.dimensions, "Voxels along each axis, which need not be cubic then");
   CLI::Option* bounds = command->add_option("--bounds", options.bounds,
-    "Outer faces of the voxels: xmin xmax ymin ymax zmin zmax (those of the input)");
+    "Outer faces of the voxels: xmin xmax ymin ymax zmin zmax (the bounds of the input)");
   CLI::Option* padding = command->add_option("--padding", options.padding,
     "Margin around the input's bounds, as a fraction of their longest side, or with --dims of each "
     "axis's own (0.05)");
@@ -184,7 +184,7 @@ void addPointAreas(
     ->group(group);
   command
     ->add_option("--area", options.area,
-      "The area of every point of a cloud, for --areas constant (the mean of those of voronoi)")
+      "The area of every point of a cloud, for --areas constant (the mean of the voronoi areas)")
     ->group(group);
   command
     ->add_option("--neighbors", options.neighbors,
@@ -267,8 +267,8 @@ void addMethod(CLI::App* command, Options& options)
       {"array", Filter::ARRAY}});
   command
     ->add_option("--regularization", options.regularization,
-      "Spread each point of a cloud over so many spacings, so that values beside points stay about "
-      "between 0 and 1: 1 does; up to 4; 0, not at all (0)")
+      "Spread each point of a cloud over this number of spacings, so that values near points stay "
+      "about between 0 and 1: 1 does; up to 4; 0, not at all (0)")
     ->group(group);
   command
     ->add_flag("--estimate-normals", options.estimateNormals,

@@ -9,8 +9,7 @@
 
 /**
  * A table of measurements: aligned columns for people, an array of objects for machines. A row is
- * an object; its names are those of the columns, which stand in the order in which they first
- * occur.
+ * an object; its names are the columns', which stand in the order in which they first occur.
  */
 class BenchTable
 {

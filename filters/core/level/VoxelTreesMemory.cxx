@@ -120,8 +120,8 @@ double expectedVertices(
 std::size_t bytesOfVoxelTrees(
   const Field& field, const Grid& grid, const VoxelTreeOptions& options, double vertices)
 {
-  // A vertex has its numbers and a bit of the mask; a parent's children, and those of vertices
-  // beside it, have a number of 4 bytes.
+  // A vertex has its numbers and a bit of the mask; the children of a parent, and of its
+  // neighbors, have a number of 4 bytes.
   const double bytesPerVertex = 1 + 2.5 + (options.withValues ? (options.asDouble ? 8 : 4) : 0) +
                                 (options.withCoverage ? sizeof(float) : 0);
   constexpr double bytesPerTree = 500;

@@ -172,8 +172,8 @@ Message mainAdviceOn(const CloudReport& report)
     return missingPointArea("nothing tells what area they stand for");
   }
   // Normals that point to either side at random have a share of ½. The vertices of meshes whose
-  // triangles agree have 0 to 0.08 (measured), those of a teapot 0.15, and those of an icosahedron,
-  // which has few points, 0.38; two meshes with flipped parts have 0.19 and 0.24.
+  // triangles agree have 0 to 0.08 (measured), a teapot's 0.15, and an icosahedron's, which has
+  // few points, 0.38; two meshes with flipped parts have 0.19 and 0.24.
   constexpr double manyOpposite = 0.2;
   if (report.oppositeNeighbors > manyOpposite)
   {

@@ -48,7 +48,7 @@ private:
 /// Facts about the solids of one execution.
 struct LabelFacts
 {
-  FieldInfo source; ///< sums over all solids; method, reason and kind are those of the largest
+  FieldInfo source; ///< sums over all solids; method, reason and kind are the largest solid's
   std::size_t largest = 0;         ///< primitives of the solid that has most
   std::size_t expected = 0;        ///< number of all solids
   std::size_t solids = 0;          ///< number of those that were added

@@ -228,7 +228,7 @@ void checkGrid(const Grid& grid)
     {
       throw Refusal(Message("the voxels are too far from the origin",
         {{"move the data towards it", {}}, largerVoxels()},
-        text("those of size ", grid.spacing[axis], " cannot be told apart at coordinate ",
+        text("voxels of size ", grid.spacing[axis], " cannot be told apart at coordinate ",
           grid.firstSample[axis], " in double precision")));
     }
   }

@@ -68,8 +68,8 @@ public:
     }
   }
 
-  /// The number of ranges that may be visited in parallel. The vertices of range 0, then those of
-  /// range 1 and so on, are all vertices in their order.
+  /// The number of ranges that may be visited in parallel. The vertices of the ranges, one
+  /// range after the other, are all vertices in their order.
   std::size_t ranges() const { return numbers_.count() / 2; }
 
   /// Calls visit(low, first, last) for every vertex of a range, with the uses of all edges whose

@@ -25,7 +25,7 @@ struct Orientation
  * sheets drawn from both sides, those inside of closed parts are left out with both (OpenParts.h).
  * Three steps follow:
  * 1. Triangles that share an edge with no third one are made to run along it in opposite
- *    directions, and those of a polygon keep the sense that they have in common. A patch, a
+ *    directions, and triangles of a polygon keep the sense that they have in common. A patch, a
  *    connected set of these triangles, that admits this is turned as a whole from here on, at first
  *    so that at most half of its area is turned. A patch that does not, a Möbius strip say, stays
  *    as it is.

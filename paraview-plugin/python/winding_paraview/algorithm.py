@@ -128,7 +128,7 @@ def pointer(array):
 
 
 class Algorithm(VTKPythonAlgorithmBase):
-    """A filter whose properties are those of its proxy in the XML."""
+    """A filter with the properties of its proxy in the XML."""
 
     properties = {}
 

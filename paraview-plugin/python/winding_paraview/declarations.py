@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The XML files of the plugin in C++, as a plugin in Python needs them.
 
-They are read as they are. Classes are replaced by those of this package, icons by files, and hyper
+They are read as they are. Classes are replaced by this package's, icons by files, and hyper
 trees, which Python does not have, are left out.
 """
 

@@ -311,7 +311,7 @@ class ImageAlgorithm(GridAlgorithm):
         """Refuses arrays that a union of times cannot have."""
 
     def unite_times(self, image, part):
-        """Takes the arrays of another time into those of earlier times."""
+        """Takes the arrays of another time into the arrays of earlier times."""
         raise NotImplementedError
 
     def is_of_all_times(self):

@@ -315,7 +315,7 @@ def _regions_of(data, name):
 
 
 def _with_own_names(solids):
-    """The solids, those of equal names with a number behind it, and how many these are."""
+    """The solids, equal names with a number behind them, and how many of these there are."""
     every = {solid.name for solid in solids}
     taken, found, repeated = set(), [], 0
     for solid in solids:

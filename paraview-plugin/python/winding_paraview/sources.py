@@ -176,7 +176,7 @@ def parts_of(filter, data, *, as_points=False, areas=None, surface_cells=False,
 
 
 def cloud_of(filter, leaves, areas, notes=()):
-    """The points of leaves as one cloud. Points without normals have those of their polygons."""
+    """The points of leaves as one cloud. Points without normals have their polygons'."""
     # All points are to be oriented together.
     lacks_normals = any(leaf.corners is None and leaf.normals is None for leaf in leaves)
     normals, found_areas = [], []

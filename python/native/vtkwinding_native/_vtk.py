@@ -7,7 +7,7 @@ import importlib
 from ._built import VTK_MINOR
 
 # The modules of VTK that the compiled ones depend on, as filters/*/vtk.module name them. Their
-# libraries have to be loaded before it where the system does not look beside VTK's wrappers.
+# libraries have to be loaded before it where the system does not look next to VTK's wrappers.
 DEPENDENCIES = (
     "vtkCommonCore",
     "vtkCommonDataModel",

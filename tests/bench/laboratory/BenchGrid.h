@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-/// A grid of cubic voxels around bounds, as the program lays it by default: so many along the
-/// longest side, with a margin of a twentieth of it.
+/// A grid of cubic voxels around bounds, as the program lays it by default: `resolution` along
+/// the longest side, with a margin of a twentieth of it.
 winding::Grid benchGrid(const winding::Bounds& bounds, int resolution);
 
 /// The dimensions of a grid, for tables.

@@ -32,7 +32,7 @@
 namespace
 {
 
-/// Nanoseconds per item of work() on so many items, the least of some runs.
+/// Nanoseconds per item of work() on `items` items, the least of some runs.
 template <class Work> double nanoseconds(const Work& work, std::size_t items, int runs = 20)
 {
   const double seconds = secondsOf(work, runs);

@@ -171,7 +171,7 @@ std::vector<BenchTable> benchOrientation(const BenchOptions& options, Messages& 
     ThreadExecutor executor;
     const winding::Surface surface = winding::sanitize({triangles.view()}, executor);
     BenchTable table(file + ", " + std::to_string(threadsUsed(options.threads)) + " threads",
-      {"points on the triangles, moved by steps of so many percent of the diagonal",
+      {"points on the triangles, moved by steps in percent of the diagonal",
         "true, …: with the true normals and with estimated ones, the part that w >= 0.5 and the "
         "inside of the mesh have in common, of what is in either, at random places in the bounds",
         "outward: the share of the points of automatic with w about 1 behind and 0 before them"});

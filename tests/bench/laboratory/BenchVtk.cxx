@@ -21,7 +21,7 @@
 namespace
 {
 
-/// At most so many samples of each contest have their answers checked.
+/// The most samples of a contest whose answers are checked.
 constexpr std::size_t mostChecked = 2000;
 
 /// Samples of a contest, evenly chosen, and the direct sums there.
@@ -113,7 +113,7 @@ std::vector<BenchTable> benchVtk(const BenchOptions& options, Messages& messages
                               std::to_string(threadsUsed(options.threads)) + " threads";
     BenchTable table(title,
       {"s: a new filter on a surface that is new to it",
-        "wrong: answers unlike w >= 0.5 of the direct sum, at so many samples checked",
+        "wrong: answers unlike w >= 0.5 of the direct sum, of the samples checked",
         "inside: 0 or 1 for each sample; extract: the points that are inside; distance: signed "
         "ones, wrong where the sign is"});
     const std::vector<int> points = givenOr(options.points, {1000, 10'000, 100'000});

@@ -18,7 +18,7 @@
 namespace
 {
 
-/// A measurement on a whole grid may take so many seconds.
+/// The seconds that a measurement on a whole grid may take.
 constexpr double longTime = 2;
 
 /// Evaluates a field at scattered samples, x y z for each.

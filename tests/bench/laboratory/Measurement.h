@@ -33,6 +33,6 @@ Measurement measure(
   const std::function<std::shared_ptr<const winding::Field>(winding::Executor&)>& build,
   const winding::Grid& grid, int threads = 0);
 
-/// Errors of what was measured at so many random samples, and as many near the surface.
+/// Errors of what was measured at `samples` random samples, and as many near the surface.
 winding::Verification verified(
   const Measurement& measured, const winding::Grid& grid, std::size_t samples);

@@ -4,7 +4,7 @@
 
 #include "base/Executor.h"
 
-/// Runs the core's blocks on the program's threads, all or so many of them, until the program is
+/// Runs the core's blocks on the program's threads, all or some of them, until the program is
 /// interrupted.
 class ThreadExecutor final : public winding::Executor
 {

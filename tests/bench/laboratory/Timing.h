@@ -69,5 +69,5 @@ template <class Work> double secondsOfOne(const Work& work)
 /// makes one field.
 std::unique_ptr<float[]> freshArray(std::size_t size);
 
-/// Seconds to write a constant to a fresh array of so many floats, by one thread.
+/// Seconds to write a constant to a fresh array of floats, by one thread.
 double secondsToFill(std::size_t samples);

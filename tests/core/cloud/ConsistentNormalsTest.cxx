@@ -118,7 +118,7 @@ void addNoise(Scan& scan, double size, Random& random)
 
 constexpr double cosineOf8Degrees = 0.99, cosineOf20Degrees = 0.94;
 
-/// A hollow box with so many points on its outer sheet. Its walls are so thin that many of the
+/// A hollow box with `points` points on its outer sheet. Its walls are so thin that many of the
 /// neighbours of a point are on the other sheet, and planes through points of both are tilted.
 Scan hollowBox(int points, unsigned seed = 11)
 {

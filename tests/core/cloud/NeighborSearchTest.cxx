@@ -46,7 +46,7 @@ void expectEqual(const std::vector<Neighbor>& found, const std::vector<Neighbor>
   }
 }
 
-/// Checks the neighbours of every place, or of every so many.
+/// Checks the neighbours of every place, or of one in `step`.
 void check(const std::vector<Point>& points, std::size_t count, std::size_t step = 1)
 {
   winding::SerialExecutor serial;

@@ -352,7 +352,7 @@ TEST(VoronoiAreas, OfFewPointsArePositiveAndNoMoreThanTheirDistancesTell)
 
 TEST(VoronoiAreas, AreNeverLessThanNothing)
 {
-  // The cell of one of these points, which lie in a plane but for 10⁻⁹, is a line: its area was
+  // The cell of one of these points, which lie in a plane up to 10⁻⁹, is a line: its area was
   // −1e-17, and a negative area is refused where it comes from a file.
   Cloud cloud;
   const int corners[][3] = {{1, 0, 2}, {0, 3, 3}, {3, 3, 1}, {3, 1, 3}, {2, 2, 2}, {3, 2, 1},

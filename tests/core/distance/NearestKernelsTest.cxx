@@ -78,7 +78,7 @@ TEST(NearestKernels, DistancesFromTrianglesOfAnyShapeAreExact)
 
 TEST(NearestKernels, TrianglesAsThinAsRoundingHaveNoInside)
 {
-  // Three points on a line but for rounding each: distances came out a tenth, a third and two
+  // Three points on a line up to rounding each: distances came out a tenth, a third and two
   // thirds too small, because weights that were off by 0.25 or 1e16 fell between 0 and 1.
   const std::pair<Corners, Point> cases[] = {
     {{{0x1.2666666666666p+0, 0x1.4cccccccccccdp-1, -0x1.6666666666666p-2},

@@ -181,8 +181,7 @@ TEST(Field, SaysWhenItWasInterrupted)
 
 TEST(Field, DecidesInsideOnTheStoredValue)
 {
-  // The samples are so many that they fill blocks, whose values compilers treat in a loop of their
-  // own.
+  // The samples fill blocks, whose values compilers treat in a loop of their own.
   const auto field = fieldOf(openCube());
   const std::vector<Point> samples(1000, Point(0.5, 0.5, 0.5));
   const std::vector<double> exact = valuesAt(*field, samples);

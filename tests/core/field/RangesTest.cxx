@@ -57,7 +57,7 @@ public:
     }
   }
 
-  /// Adds clouds whose points have areas of so many squares of the size, as far as they may.
+  /// Adds clouds whose points have `area` squares of the size each, as far as they may.
   void addClouds(const std::string& name, const Cloud& cloud, double size, double area)
   {
     Cloud scaled = cloud;
@@ -150,7 +150,7 @@ std::vector<Point> someSamples(double size)
   return samples;
 }
 
-/// All that a field gives at so many samples.
+/// All that a field gives at `count` samples.
 struct Results
 {
   explicit Results(std::size_t count)

@@ -147,7 +147,7 @@ Mesh meshOf(const LatticeChain& chain)
   return mesh;
 }
 
-/// A sphere without a part, so that its rim has sides of many lengths, of so many triangles.
+/// A sphere without a part, so that its rim has sides of many lengths.
 Mesh openSphere(int levels)
 {
   const Mesh whole = icosphere(levels);

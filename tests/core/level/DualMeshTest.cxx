@@ -32,7 +32,7 @@ void expectManifold(const BitField& field, const winding::Grid& grid, std::uint6
   }
 }
 
-/// The quads of a mesh like DualMesh, but for its rule for patches that come to a face twice: every
+/// The quads of a mesh like DualMesh without its rule for patches that come to a face twice: every
 /// cell keeps its inside corners apart.
 struct RulelessDual
 {

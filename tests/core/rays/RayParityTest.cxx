@@ -108,7 +108,7 @@ TEST(RayParity, IsRightBesideTrianglesThatAreAlongTheRayUpToRounding)
   Random random(64);
   for (int i = 0; i < 20000; ++i)
   {
-    // Triangle a b c lies along the ray but for the rounding of its corners, and the sample lies in
+    // Triangle a b c lies along the ray up to the rounding of its corners, and the sample lies in
     // its plane, up to rounding, in front of it or behind it and far from the solid.
     const Point a = Point{0, random(-1, 1), random(-1, 1)};
     const Point along = Point{0, random(-1, 1), random(-1, 1)};

@@ -32,7 +32,7 @@ bool isClosedBy(winding::Surface surface, const TriangleList& cap)
   return boundaryOf(surface).edges.empty();
 }
 
-/// Loops of so many vertices each.
+/// Loops of the given numbers of vertices.
 BoundaryLoops polygons(const std::vector<std::int32_t>& sizes)
 {
   BoundaryLoops loops;
