@@ -420,7 +420,7 @@ TEST_F(FieldCommand, PiecesAndThreadsDoNotChangeABit)
   }
 }
 
-/// Errors and counts of samples are those of the whole grid, whichever piece has the worst sample.
+/// Errors and counts of samples are the whole grid's, whichever piece has the worst sample.
 TEST_F(FieldCommand, PiecesReportTheFiguresOfAll)
 {
   Mesh moved = sphere(3);

@@ -77,7 +77,7 @@ protected:
   }
 
   /// Makes the field as a hyper tree grid and as an image, which are to have the same arrays, and
-  /// the same numbers at every sample; those of w may differ by `tolerance`.
+  /// the same numbers at every sample; values of w may differ by `tolerance`.
   void expectTheImage(const std::string& input, const std::vector<std::string>& options,
     const std::vector<std::string>& ofTrees, double tolerance)
   {

@@ -25,7 +25,7 @@ HELPERS = "filters/vtk/private"
 # Helpers without rooms, and the folders of filters that each may include.
 SMALL_HELPERS = {"filters/io/private": {"private", "files", "messages", "pipeline"},
                  "filters/pipeline": {"pipeline", "messages"}}
-# Folders of filters beside the core that are plain C++, each with the ones that it includes.
+# Folders of filters that are plain C++, besides the core, each with the ones that it includes.
 PLAIN = {"files": (), "messages": (), "c": ("files", "messages")}
 LIST_OF_OPTIONS = "Options.def"  # lies in filters, for helpers and the program
 

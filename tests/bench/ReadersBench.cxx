@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Measures readers of files: those of the module on one thread and on all, and VTK's where there is
+// Measures readers of files: the module's on one thread and on all, and VTK's where there is
 // one.
 //
 // Usage: readers_bench [--points <folder>] <file…>. A line for each file and reader says the best

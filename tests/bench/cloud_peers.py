@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Compares normals estimated for bare points with those of other programs.
+"""Compares normals estimated for bare points with other programs'.
 
 Usage: cloud_peers.py <winding> <points> <noise in percent of the diagonal> <mesh>…
 

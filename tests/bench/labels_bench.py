@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Times `winding labels` of several solids beside one `winding field --inside-only` for each.
+"""Times `winding labels` of several solids against one `winding field --inside-only` for each.
 
 Usage: labels_bench.py <winding> [rounds [resolution [arrangement…]]]
 

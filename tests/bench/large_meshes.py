@@ -56,7 +56,7 @@ def write(path, points, triangles):
 
 
 def split(points, triangles):
-    """Every triangle as four; midpoints are those of edges, and so have one vertex each."""
+    """Every triangle as four; midpoints belong to edges, and so have one vertex each."""
     starts, ends = triangles, np.roll(triangles, -1, axis=1)
     keys = np.minimum(starts, ends).astype(np.int64) * len(points) + np.maximum(starts, ends)
     edges, middles = np.unique(keys, return_inverse=True)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Times winding numbers and signed distances beside libigl and Open3D, in one run.
+"""Times winding numbers and signed distances, and libigl's and Open3D's, in one run.
 
 Usage: points_peers.py <winding> <folder of meshes> [--points N…] [--grid N] [--meshes name…]
 

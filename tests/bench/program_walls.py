@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Times whole runs of the program, beside an older version where there is one.
+"""Times whole runs of the program, and an older version's where there is one.
 
 Usage: program_walls.py <winding> <folder of meshes> <folder of large ones> [older winding]
 

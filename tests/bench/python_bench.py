@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Times of the Python package beside libigl, trimesh and PyVista's own methods, in one run.
+"""Times of the Python package, of libigl, trimesh and PyVista's own methods, in one run.
 
 Usage: python_bench.py <closed mesh>. Needs PyVista and the installed package, and has a column for
 each of libigl and trimesh (with embreex) that is there; prints tables.

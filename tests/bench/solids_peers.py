@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Compares booleans and offsets with those of other programs.
+"""Compares booleans and offsets with other programs'.
 
 Usage: solids_peers.py booleans|broken|offsets <winding> <resolution> <mesh>…
 
@@ -15,7 +15,7 @@ operands, and such that are farther than half a voxel from the result.
 
 offsets: meshes are closed. The distance is 2 % of the longest side, outward and inward. MeshLib's
 offsets have voxels of the same size. CGAL's alpha wrapping, which goes outward only, has an alpha of
-twice that; it is there if `alpha_wrap` (AlphaWrap.cxx) lies beside `winding`.
+twice that; it is there if `alpha_wrap` (AlphaWrap.cxx) lies next to `winding`.
 
 For each result it prints its edges with other than two faces and the distances of 20 000 points of
 it, evenly distributed, from the exact result, or off the offset: p50, p99 and the largest, in

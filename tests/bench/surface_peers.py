@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Compares surfaces of closed meshes with those of other programs, on grids of the same voxels.
+"""Compares surfaces of closed meshes with other programs', on grids of the same voxels.
 
 Usage: surface_peers.py <winding> <resolution> <mesh>…
 

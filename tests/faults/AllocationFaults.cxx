@@ -12,7 +12,7 @@
  *
  * operator new comes here, too, since it calls malloc(). Two kinds of allocations never fail, for
  * those who ask for them do not look whether they got their few bytes, and would crash: that of the
- * constructor of vtkCellArray (VTK 9.1), and those of dlopen(), with which TBB looks for a library
+ * constructor of vtkCellArray (VTK 9.1), and dlopen()'s, with which TBB looks for a library
  * that need not be there: glibc 2.36 then writes down an error where it has no memory for it.
  */
 #include <atomic>
@@ -27,7 +27,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-// The names are those of the C library. NOLINTBEGIN(bugprone-reserved-identifier, readability-*)
+// The names are the C library's. NOLINTBEGIN(bugprone-reserved-identifier, readability-*)
 extern "C"
 {
   void* __libc_malloc(std::size_t size);

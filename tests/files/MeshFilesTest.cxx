@@ -301,7 +301,7 @@ TEST(PointsFile, ColumnsMayBeChosen)
   const auto weighted =
     read("x y z Weight Area nx ny nz Normals\n1 2 3 4 5 0 0 1 6\n", "area=Weight");
   EXPECT_EQ(vectorOf(weighted.first.areas), (std::vector<double>{4}));
-  EXPECT_EQ(weighted.second, "Area 5=5 Normals 9=6 ") << "other names than those of the arrays";
+  EXPECT_EQ(weighted.second, "Area 5=5 Normals 9=6 ") << "other names than the arrays'";
   EXPECT_THROW(read("1 2 3\n", "z=4"), FileRefusal);
   EXPECT_THROW(read("E N H\n1 2 3\n", "x=E y=N z=Z"), FileRefusal);
 }

@@ -115,7 +115,7 @@ TEST(PlyFile, ListsOfAllTypes)
   }
 }
 
-/// Elements before, between and behind vertices and faces, and properties beside those that are
+/// Elements before, between and behind vertices and faces, and properties besides the ones that are
 /// read, with and without lists, in any order; normals.
 TEST(PlyFile, WhatElseThereIsIsPassedOver)
 {

@@ -126,7 +126,7 @@ TEST(TableFile, NamesOfColumns)
     << "a component is missing";
 }
 
-/// ParaView saves arrays of any names beside the points, in any order.
+/// ParaView saves arrays of any names with the points, in any order.
 TEST(TableFile, NamesOfParaViewAndOthersAreNotMixed)
 {
   const Table table = read("x,nx,Points:0,Points:1,Points:2\n9,8,1,2,3\n", withOthers);

@@ -63,7 +63,7 @@ std::string checkLibrary(Choices& choices);
 /// The trees of voxels: VoxelTreesCheck.cxx.
 std::string checkVoxelTrees(Choices& choices);
 
-/// The time of method automatic beside that of the direct sum: TimeCheck.cxx. The check takes far
+/// The time of method automatic against the direct sum's: TimeCheck.cxx. The check takes far
 /// longer than the others.
 std::string checkTime(Choices& choices);
 

@@ -228,7 +228,7 @@ std::string checkNonFinite(const winding::Field& field)
     }
   }
   return std::isfinite(found.values[2]) ? std::string()
-                                        : "a sample beside others that are not finite has no value";
+                                        : "a sample among others that are not finite has no value";
 }
 
 } // namespace fuzz

@@ -77,7 +77,7 @@ double largestCoordinate(const std::vector<Point>& points)
  * Adds what a triangle may do to a sample. Coordinates are right to some 2⁻⁵² of `size`: a triangle
  * that moves by as much changes w by that over its distance. The solid angle is the argument of a
  * complex number (SolidAngle.h), which the directions to the corners turn as far as these are
- * rounded: by any angle where its terms cancel, as they do beside the edges of needles.
+ * rounded: by any angle where its terms cancel, as they do near the edges of needles.
  */
 void addTriangle(const Point (&corners)[3], const Point& sample, double size, Place& place)
 {

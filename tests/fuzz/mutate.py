@@ -256,7 +256,7 @@ def flaw_in(run, folder, inputs, written, arguments):
             report = json.loads(run.stdout, parse_constant=refuse)
         except ValueError as error:
             return f"the report has {error}"
-        # Samples on the surface and beside points are counted apart, and there may be no others;
+        # Samples on the surface and near points are counted apart, and there may be no others;
         # no sample is near to a source without primitives.
         counted_apart = report.get("on_surface", 0) + report.get("beside_points", 0)
         has_others = counted_apart == 0 and report.get("input", {}).get("primitives", 0) > 0

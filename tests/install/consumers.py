@@ -16,7 +16,7 @@ def arguments():
     parser = argparse.ArgumentParser()
     for name in ("cmake", "generator", "config", "prefix", "folder"):
         parser.add_argument("--" + name, required=True)
-    parser.add_argument("--flags", default="", help="of the compiler, such as those of sanitizers")
+    parser.add_argument("--flags", default="", help="of the compiler, such as for sanitizers")
     found = parser.parse_args()
     found.folder, found.prefix = pathlib.Path(found.folder), pathlib.Path(found.prefix)
     return found

@@ -15,8 +15,8 @@
 
 /**
  * @file
- * Labels of solids that are dealt out to the ranks of a parallel program are those of one rank that
- * has all of them.
+ * Labels of solids that are dealt out to the ranks of a parallel program are the same as on one
+ * rank that has all of them.
  */
 
 namespace

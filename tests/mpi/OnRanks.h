@@ -20,8 +20,8 @@
 /**
  * @file
  * Filters on this rank and what they are compared with, for tests whose source is dealt out to the
- * ranks of a parallel program: the results are those of one rank that has the whole source, to the
- * bit.
+ * ranks of a parallel program: the results are the same as on one rank that has the whole
+ * source, to the bit.
  */
 namespace onranks
 {

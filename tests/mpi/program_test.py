@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The program `winding` under mpirun: results are those of one rank, and failures are one line.
+"""The program `winding` under mpirun: results are as on one rank, and failures are one line.
 
 Usage: program_test.py <the program winding> <mpirun> <number of ranks> <compare_images>. Prints what
 it runs, and fails at the first fault.
@@ -85,7 +85,7 @@ def test_fields(runs):
 
 
 def test_verification(runs):
-    """Samples are those of the whole grid, whichever rank compares them."""
+    """Samples are the whole grid's, whichever rank compares them."""
     (runs.folder / "cube.off").write_text(
         "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
         "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n")

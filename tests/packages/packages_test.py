@@ -131,7 +131,7 @@ class TestParaViewWinding(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.root = unpacked(PARAVIEW_PACKAGE, WORK / "paraview-winding")
-        # ParaView finds what lies beside its programs, so these are copied; all else is linked.
+        # ParaView finds what lies next to its programs, so these are copied; all else is linked.
         for path in PARAVIEW_ROOT.rglob("*"):
             target = cls.root / path.relative_to(PARAVIEW_ROOT)
             if path.is_dir():

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the XML declares, beside what the classes have, and what a saved state keeps."""
+"""What the XML declares, against what the classes have, and what a saved state keeps."""
 import os
 import pathlib
 import tempfile
@@ -244,7 +244,7 @@ ENUMERATIONS = {
     "SourceDistribution": {"Automatic": 0, "Distributed": 1, "Replicated": 2},
 }
 
-# Defaults that differ from those of the classes: ParaView's lists of arrays name the choice of no
+# Defaults that differ from the classes': ParaView's lists of arrays name the choice of no
 # array, faults must be seen on their surface, and the voxels inside rather than the box around them,
 # and nobody waits for the eightfold voxels that keep thin parts, or asks for normals of a bare cloud.
 DEFAULTS_OF_PANELS = {

@@ -22,7 +22,7 @@ def ranks(count, *command):
 
 
 def facts_in(folder):
-    """The facts of each deal: those of all ranks together, and lists of those of each rank."""
+    """The facts of each deal: of all ranks together, and lists of each rank's."""
     facts = collections.defaultdict(dict)
     for path in sorted(glob.glob(os.path.join(folder, "*.json"))):
         deal, *name, _ = os.path.basename(path).rsplit(".json", 1)[0].split(".")
@@ -62,7 +62,7 @@ class Ranks(unittest.TestCase):
                     self.assertEqual(found.get(key, expected[key]), expected[key], key)
                 for key in ("report.triangles", "report.boundary_edges"):
                     self.assertEqual(found[key], expected[key] * count, key)
-                # A closed surface has no other values; a rank may have those of one side alone.
+                # A closed surface has no other values; a rank may have one side alone.
                 for name in ("field.w", "probe.w"):
                     values = {w for span in found[name] for w in span}
                     self.assertEqual(values, {0.0, 1.0}, name)

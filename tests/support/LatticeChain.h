@@ -133,7 +133,7 @@ inline LatticeChain randomLatticeChain(unsigned seed, int mostTriangles, int lar
   chain.shift = place == 0 ? 1e5 : place == 1 ? -0.7 : 0;
   chain.isExact = chain.scale == 1 && place != 1;
 
-  // Samples lie on the lattice, between its points, or beside it along one axis.
+  // Samples lie on the lattice, between its points, or next to it along one axis.
   const int subdivision = 1 + below(2);
   chain.step.setConstant(4 / subdivision);
   chain.firstSample = -chain.step;

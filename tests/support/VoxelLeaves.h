@@ -10,7 +10,7 @@
 /// The vertex of a tree that is the leaf of a voxel of its brick.
 inline std::size_t leafOf(const winding::VoxelTree& tree, const Eigen::Vector3i& voxel, int depth)
 {
-  // Each parent's children come behind those of the parents before it.
+  // Each parent's children come behind the children of the parents before it.
   std::vector<std::size_t> firstChild(tree.size());
   std::size_t next = 1;
   for (std::size_t vertex = 0; vertex < tree.isParent.size(); ++vertex)

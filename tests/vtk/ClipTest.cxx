@@ -183,7 +183,7 @@ TEST_F(Clip, InsideAndOutsideFitTogether)
   for (const bool isOpen : {false, true})
   {
     sphere->SetStartTheta(isOpen ? 100 : 0);
-    // Pieces of tetrahedra have plane faces; those of voxels are split for their volume.
+    // Pieces of tetrahedra have plane faces; pieces of voxels are split for their volume.
     const std::pair<vtkSmartPointer<vtkDataSet>, double> inputs[] = {
       {tetrahedraOf(ballOf(9)), 1e-9}, {imageOf(14, 1), 1e-4}};
     for (const auto& [input, tolerance] : inputs)
@@ -199,7 +199,7 @@ TEST_F(Clip, InsideAndOutsideFitTogether)
   }
 }
 
-/// The places where edges of an image are cut, beside those where the winding number is the
+/// The places where edges of an image are cut, next to the ones where the winding number is the
 /// threshold or jumps over it: the mean of their distances, in voxels.
 double meanError(vtkUnstructuredGrid* part, vtkImageData* image, vtkPolyData* source)
 {

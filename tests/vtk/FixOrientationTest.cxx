@@ -266,7 +266,7 @@ TEST_F(FixOrientation, MakesTrianglesOfStripsWhereItTurnsThem)
 TEST_F(FixOrientation, TrianglesOfStripsKeepTheirDataBesideCellsOfAllKinds)
 {
   // A tetrahedron of a strip of two triangles and of two polygons, one of them turned round, stands
-  // beside a vertex and two lines. Cells of polydata are counted by kinds, strips last.
+  // with a vertex and two lines. Cells of polydata are counted by kinds, strips last.
   vtkNew<vtkPoints> points;
   for (const auto& [x, y, z] : {std::array{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
   {

@@ -85,7 +85,7 @@ protected:
     set(field.Get());
   }
 
-  /// Compares the arrays of a hyper tree grid with those of the field at every voxel. Values of w
+  /// Compares the arrays of a hyper tree grid with the field's at every voxel. Values of w
   /// may differ by `tolerance`. Returns the largest difference of w.
   double expectTheField(vtkHyperTreeGrid* made, double tolerance)
   {

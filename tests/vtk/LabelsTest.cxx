@@ -30,7 +30,7 @@ namespace
 
 using Filter = vtkWindingNumberLabels;
 
-/// Labels of five spheres, beside the fields of each of them on the same grid.
+/// Labels of five spheres, with the fields of each of them on the same grid.
 class Labels : public testing::Test
 {
 protected:

@@ -93,7 +93,7 @@ TEST_F(PointAreas, OfAMeshAreThirdsOfItsTriangles)
   this->areasOf(sphere());
   EXPECT_NEAR(filter->GetTotalArea(), surfaceOf(sphere()), 1e-12);
 
-  // The normals of a mesh that has none are those of its triangles.
+  // The normals of a mesh that has none are its triangles'.
   auto bare = sphere();
   bare->GetPointData()->Initialize();
   this->areasOf(bare);

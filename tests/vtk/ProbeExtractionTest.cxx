@@ -88,7 +88,7 @@ protected:
     cube->SetZLength(length);
   }
 
-  /// Expects points and cells that were kept to be those of the queries, with all that belongs to
+  /// Expects points and cells that were kept to be the queries', with all that belongs to
   /// them.
   void expectKept(vtkDataSet* queries, const std::set<vtkIdType>& cells)
   {

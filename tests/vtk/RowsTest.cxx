@@ -80,7 +80,7 @@ TEST_F(Rows, EqualTheDirectSumForAnOpenSurface)
   auto image = this->output(vtkWindingNumberField::ROWS);
   EXPECT_EQ(field->GetNumberOfNetBoundaryEdges(), 30);
   EXPECT_EQ(field->GetNumberOfCapTriangles(), 28);
-  // Measured 1.0e-13, at a sample beside the rim; 7e-15 elsewhere.
+  // Measured 1.0e-13, at a sample near the rim; 7e-15 elsewhere.
   auto direct = this->output(vtkWindingNumberField::DIRECT);
   EXPECT_LT(largestDifference(image, direct), 5e-13);
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})

@@ -262,7 +262,7 @@ TEST_F(SourceKinds, NormalsWithoutDirectionsAreNone)
     auto mesh = sphere();
     mesh->GetPointData()->GetNormals()->Fill(value);
     probe->SetSourceAsPoints(1);
-    EXPECT_NEAR(this->windingNumber(mesh, 0, 0, 0), 1, 0.1) << "those of the faces";
+    EXPECT_NEAR(this->windingNumber(mesh, 0, 0, 0), 1, 0.1) << "the normals of the faces";
     probe->SetSourceAsPoints(0);
   }
 }

@@ -44,7 +44,7 @@ TEST_P(SurfacesOfClosedMeshes, LieOnThemAndAreClosed)
     const std::vector<double> found = distances(filter->GetOutput(), mesh, voxelOf(filter));
     ASSERT_GT(found.size(), 500u);
     EXPECT_LT(found[found.size() * 99 / 100], 1e-3); // measured: 4e-6, the locator's error
-    EXPECT_LT(found.back(), 3e-4);                   // measured: 2.4e-4, beside samples
+    EXPECT_LT(found.back(), 3e-4);                   // measured: 2.4e-4, near samples
     const EdgeCounts edges = countEdges(filter->GetOutput());
     EXPECT_EQ(edges.open, 0);
     EXPECT_EQ(edges.nonManifold, 0);

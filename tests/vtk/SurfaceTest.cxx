@@ -194,7 +194,7 @@ TEST_F(Surfaces, HaveTheNormalsOfTheSourceWhereTheyLieOnIt)
         static_cast<int>(std::max_element(normal, normal + 3,
                            [](double a, double b) { return std::abs(a) < std::abs(b); }) -
                          normal);
-      EXPECT_EQ(std::abs(normal[axis]), 1) << "beside edges, too";
+      EXPECT_EQ(std::abs(normal[axis]), 1) << "near edges, too";
       EXPECT_NEAR(point[axis], 0.5 * normal[axis], 1e-6);
     }
   }
@@ -240,7 +240,7 @@ TEST_F(Surfaces, OfACloudLieAtTheLevel)
 {
   const vtkSmartPointer<vtkPolyData> cloud = sphereCloud(2000, 1);
   filter->SetInputData(cloud);
-  filter->SetRegularization(1); // without it, w is steep beside points
+  filter->SetRegularization(1); // without it, w is steep near points
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   vtkPolyData* surface = this->update();
   EXPECT_FALSE(filter->GetSourceIsSurface());

@@ -64,7 +64,7 @@ bool isInside(float w)
   return w >= 0.5f;
 }
 
-/// A row: the field of a cloud beside the exact field of its mesh.
+/// A row: the field of a cloud against the exact field of its mesh.
 Json compare(const std::vector<unsigned char>& isNear, const Measurement& exact,
   const Measurement& cloud, Json row)
 {

@@ -92,7 +92,7 @@ TEST_F(InstructionSets, AllKeepTheirPromises)
     gradients = gradients.empty() ? found : gradients;
     for (std::size_t i = 0; i < samples.size(); ++i)
     {
-      // The expected gradients are those of the first instruction set; RegularizationTest.cxx
+      // The expected gradients come from the first instruction set; RegularizationTest.cxx
       // compares with the right ones.
       ASSERT_LT((found[i] - gradients[i]).norm(), 1e-11);
     }
@@ -107,7 +107,7 @@ TEST_F(InstructionSets, AllKeepTheirPromises)
         winding::farFieldSources(surface.vertices, surface.triangles, surface.bounds, {}, serial));
       EXPECT_LT(largestDifference(values, exact), tolerance);
       evaluate(winding::farFieldSources(cloud, areas, serial));
-      // Values are large beside points, and so is their rounding to float.
+      // Values are large near points, and so is their rounding to float.
       EXPECT_LT(largestDifference(values, exactOfCloud), tolerance + 1e-5); // measured: 5.5e-6
       evaluate(winding::farFieldSources(regularized, areas, serial));
       EXPECT_LT(largestDifference(values, exactOfRegularized), tolerance);

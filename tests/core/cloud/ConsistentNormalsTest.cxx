@@ -143,7 +143,7 @@ Scan noisyPlates()
   return scan;
 }
 
-/// Thin posts and two rails beside them, with noise of more than half a spacing.
+/// Thin posts and two rails next to them, with noise of more than half a spacing.
 Scan noisyFrame()
 {
   constexpr double thick = 0.1, crowd = 1500; // points by area

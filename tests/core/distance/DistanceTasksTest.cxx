@@ -39,7 +39,7 @@ public:
   std::size_t tasks = 0;
 };
 
-/// Cubic voxels beside and in a sphere of about unit size.
+/// Cubic voxels around and in a sphere of about unit size.
 Grid gridOverASphere()
 {
   winding::GridRequest request;

@@ -74,7 +74,7 @@ std::vector<NamedMesh> someMeshes()
 }
 
 /// Grids of cubic voxels and of others, of one sample, a plane and a line of samples; larger than
-/// the sources, small beside their surface, and far away.
+/// the sources, small near their surface, and far away.
 std::vector<Grid> someGrids()
 {
   const Point low(-1.6, -1.5, -1.4), high(1.3, 1.5, 1.7);

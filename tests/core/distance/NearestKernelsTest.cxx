@@ -28,7 +28,7 @@ struct Corners
   Point a, b, c;
 };
 
-/// Triangles of all shapes: needles, caps, nearly and exactly without area, large beside their
+/// Triangles of all shapes: needles, caps, nearly and exactly without area, large for their
 /// distance and small.
 Corners someTriangle(Random& random, int kind)
 {

@@ -23,7 +23,7 @@
  *   mesh        0.7   0.5   1.3   1.3   1.4
  *   soup        0.4   0.2   0.2   0.2   0.1
  *
- * Errors above 1 are those of samples far from all sources, except for "ball". When the nodes that
+ * Errors above 1 are at samples far from all sources, except for "ball". When the nodes that
  * act by their moments were summed exactly instead, errors of up to 1.6 were left, at up to 50
  * times the cost for a cloud of 100 000 points.
  */

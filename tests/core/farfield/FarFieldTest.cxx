@@ -250,8 +250,8 @@ TEST(FarField, EqualsTheDirectSumOnGridsMuchFinerThanTheSource)
 
 TEST(FarField, EqualsTheDirectSumOfSourcesFarApart)
 {
-  // Two sources, a million diagonals apart, are seen from beside one, and from so far that both are
-  // specks.
+  // Two sources, a million diagonals apart, are seen from close to one, and from so far that both
+  // are specks.
   const auto away = [](const Point& p) -> Point
   {
     return p + Point(3e6, -2e6, 1e6);

@@ -79,7 +79,7 @@ TEST(FewDipoles, AreLeftOutByLittleMoreThanTheirNodeMayErr)
           radius;
         const Point sample = (tree.moments.origin + offset) / tree.scale();
         const double expected = winding::referenceSum<double>(cloud, cloud.areas, sample);
-        // Moments are in single precision, and values are large beside a node of one place.
+        // Moments are in single precision, and values are large near a node of one place.
         const double rounding = 1e-6 * strengthAt(cloud, sample);
         largest = std::max(largest, std::abs(value - expected) / (accuracy.epsilon + rounding));
       }

@@ -85,7 +85,7 @@ struct Node
         p = i % 2 ? Point(-positions.back() / size) : p;
         n = normal;
       }
-      // The moments are those of a patch of a surface that fills the node, or of as strong a set of
+      // The moments come from a patch of a surface that fills the node, or of as strong a set of
       // points.
       positions.push_back(size * p);
       moments.push_back(n * (winding::pi * size * size / (4 * winding::pi) / count));

@@ -320,7 +320,7 @@ TEST(Gradient, IsOneOverTheUnitOfLength)
 
 TEST(Gradient, OfATinySourceIsCutOffAtTheLargestNumber)
 {
-  // Samples lie beside the boundary, as near as 1e-320, where doubles are close to the smallest
+  // Samples lie next to the boundary, as near as 1e-320, where doubles are close to the smallest
   // that there are. Fields refuse sources as small as this one.
   const winding::Surface surface = cleanScaled(icosphere(1).part(0, 50), 1e-300);
   const winding::BoundaryEdges edges = boundaryOf(surface).edges;

@@ -122,7 +122,7 @@ TEST(InsideOut, IsASourceThatLooksInward)
   const Mesh inward = icosphere(2).reversed();
   expectInsideOut(*fieldOf(inward), around, true);
   expectInsideOut(*fieldOf(inward.part(0, 250)), around, true); // open
-  // All of this grid is in the solid, and none of it beside a point of the cloud.
+  // All of this grid is in the solid, and none of it near a point of the cloud.
   const Grid within = gridOver({-0.4, -0.4, -0.4}, {0.4, 0.4, 0.4});
   expectInsideOut(*fieldOf(inward), within, true);
   expectInsideOut(*fieldOf(inwardCloud()), within, true);

@@ -87,7 +87,7 @@ TEST_P(OverlappingTriangles, TakeNoMorePairsThanTheDirectSum)
     winding::FarFieldWork work;
     farField.suiting(grid, serial)->evaluate(grid, grid.wholeExtent(), output, serial, &work);
     EXPECT_LE(work.exactPairs, surface.triangles.size() * samples);
-    // The nodes looked at cost some nanoseconds each, a pair one: all else is little beside pairs.
+    // The nodes looked at cost some nanoseconds each, a pair one: all else is little against pairs.
     // There is one node for 18 pairs at most.
     EXPECT_LE(work.nodeTests + work.nearTests, surface.triangles.size() * samples / 16 + 100'000);
   }

@@ -91,8 +91,8 @@ winding::Bounds boundsOf(const std::vector<Point>& points)
   return bounds;
 }
 
-/// Compares the fields of a mesh by all methods with those of the same triangles written in other
-/// ways.
+/// Compares the fields of a mesh by all methods with the fields of the same triangles written in
+/// other ways.
 void checkMesh(const Mesh& mesh, const Grid& grid, unsigned seed)
 {
   Random random(seed);

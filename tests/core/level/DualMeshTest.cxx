@@ -157,8 +157,8 @@ TEST(CellPatches, OfOneCellAreDiscsAndTheDoubledFaceIsTheOnlyAmbiguousOne)
       EXPECT_EQ(cut.doubledFace, -1) << inside;
     }
   }
-  // Two corners outside, on a diagonal of one of six faces; or one more beside one of these, not in
-  // the face.
+  // Two corners outside, on a diagonal of one of six faces; or one more next to one of these, not
+  // in the face.
   EXPECT_EQ(doubled, 12 + 24);
 }
 

@@ -41,7 +41,7 @@ struct Roots
 
 } // namespace
 
-/// Many samples lie on the surface, where w is that of either side; roots may be right beside such
+/// Many samples lie on the surface, where w is that of either side; roots may be right next to such
 /// samples.
 TEST(LevelRoots, OfClosedLatticeChainsAreWhereTheFieldJumpsOverTheLevel)
 {
@@ -130,7 +130,7 @@ TEST(LevelRoots, NeedNoEvaluationWhereASingleCrossingExplainsTheChange)
 TEST(LevelRoots, BesideSamplesOnFacesHaveTheNormalsOfTheFaces)
 {
   // Samples 1 and 4 lie on faces, though in units of the grid rounding puts some of these faces
-  // beside them.
+  // next to them.
   const winding::Grid grid = gridOf({0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}, {6, 6, 6});
   const Point low = grid.sample(1, 1, 1), high = grid.sample(4, 4, 4);
   ASSERT_GT(grid.inGridUnits(low)[0], 1);

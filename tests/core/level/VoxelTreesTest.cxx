@@ -223,7 +223,7 @@ TEST(VoxelTrees, AFieldThatIsSmoothIsDividedByTheTolerance)
 
 TEST(VoxelTrees, ALeafOfBothSignsHasItsValueOnItsSide)
 {
-  // Two cubes of opposite senses share a face, so that w is +1 beside -1. By their sizes all of
+  // Two cubes of opposite senses share a face, so that w is +1 next to -1. By their sizes all of
   // these voxels are inside, but the middle of both values, 0, would be outside.
   const Mesh twoCubes =
     cube({-1, -1, -1}, {0.3, 1, 1}).with(cube({0.3, -1, -1}, {1, 1, 1}).reversed());

@@ -73,12 +73,12 @@ TEST(ClearCells, HoldSamplesOfOneWindingNumber)
   {
     return {p[0], 1e-5 * p[1], p[2]};
   };
-  // The shares of samples in clear cells, measured: 0.83 to 0.89, and 0.41 beside the box.
+  // The shares of samples in clear cells, measured: 0.83 to 0.89, and 0.41 around the box.
   for (const Mesh& mesh : {icosphere(4), overlapping, cube().mapped(turned)})
   {
     const auto samples = randomPointsAround(clean(mesh).bounds, 4000, -0.1, 1.1, 311);
     EXPECT_GT(clearShare(mesh, samples, 30'000), 0.7);
-    EXPECT_GT(clearShare(mesh, samples, 1), 0.3) << "those beside the box";
+    EXPECT_GT(clearShare(mesh, samples, 1), 0.3) << "around the box";
   }
   for (const Mesh& mesh : {tetrahedron(), torus(24, 12), cube().mapped(flat),
          icosphere(2).reversed().with(torus(24, 12)), icosphere(1).with(icosphere(1))})

@@ -139,7 +139,7 @@ TEST(SideOfEdge, IsExactWhereTheDifferencesThemselvesRound)
   for (int i = 0; i < 200000; ++i)
   {
     // The edge has 50 bits and starts close to the origin; the point lies beyond it on a coarser
-    // lattice, at most a step of that beside the line: differences need up to 60 bits, a double has
+    // lattice, at most a step of that off the line: differences need up to 60 bits, a double has
     // 53.
     const LatticePoint from{integer(random, 8), integer(random, 8)};
     const LatticePoint to{integer(random, 50), integer(random, 50)};

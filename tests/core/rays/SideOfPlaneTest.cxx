@@ -95,7 +95,7 @@ TEST(SideOfPlane, IsExactForNearlyCoplanarPointsOfManyDigits)
   std::size_t rounded = 0, inPlane = 0;
   for (int i = 0; i < 200000; ++i)
   {
-    // Products have up to 117 bits; the sample is at most a lattice step beside the plane.
+    // Products have up to 117 bits; the sample is at most a lattice step off the plane.
     const Lattice a = lattice(random, 36), b = lattice(random, 36), c = lattice(random, 36);
     const Lattice beside(integer(random, 1), 0, i % 2 == 0 ? 0 : integer(random, 1));
     const Lattice q =

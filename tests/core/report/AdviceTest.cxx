@@ -249,7 +249,7 @@ TEST(Advice, OnCloudsNamesOutliers)
   EXPECT_EQ(adviceOnCloud(report), adviceOnCloud(goodReport()));
   report.spacing.largest = 110;
   EXPECT_TRUE(has(adviceOnCloud(report), "; at least one point is far from all others"));
-  // A gap that is small beside the bounds makes no outlier.
+  // A gap that is small for the bounds makes no outlier.
   report.bounds.extend(Eigen::Vector3d(1000, 0, 0));
   EXPECT_EQ(adviceOnCloud(report), adviceOnCloud(goodReport()));
 }

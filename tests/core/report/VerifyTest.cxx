@@ -269,7 +269,7 @@ TEST(Verify, CountsSamplesThatAreOnTheSurfaceUpToRoundingApart)
 TEST(Verify, FindsWrongValuesBesideTheSurface)
 {
   SCOPED_TRACE("seed 121");
-  // Less than a billionth of a voxel beside it, where a value is as right or wrong as any.
+  // Less than a billionth of a voxel off it, where a value is as right or wrong as any.
   const Mesh beside = cube(Point::Constant(1e-12), Point::Constant(1 + 1e-12));
   const Grid grid = gridThroughTheCube();
   for (const winding::Method method : valueMethods)

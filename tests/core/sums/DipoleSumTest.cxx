@@ -169,7 +169,7 @@ TEST(DipoleSum, PowersOfTwoChangeNoBit)
 TEST(DipoleSum, OtherUnitsOfLengthChangeNothingButRounding)
 {
   SCOPED_TRACE(seeds);
-  // The scaled positions round by 1e-16, and so w beside a point, which is about 1e-3/d² at a
+  // The scaled positions round by 1e-16, and so w near a point, which is about 1e-3/d² at a
   // distance d, changes by 1e-16/d of that: the samples at 1e-8 are left out.
   Case unit = someCase();
   unit.samples.resize(400);

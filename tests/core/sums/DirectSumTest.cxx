@@ -252,7 +252,7 @@ TEST(TriangleSum, IsFiniteAsCloseToVerticesAsNumbersGo)
   std::vector<Point> samples;
   for (Point& point : mesh.points)
   {
-    point -= corner; // beside 0 alone are there numbers as small as these
+    point -= corner; // only near 0 are there numbers as small as these
     for (const double beside : {0x1p-1074, 8e-317, 1e-308, 1e-300, 1e-200, 1e-160})
     {
       for (int axis = 0; axis < 3; ++axis)

@@ -222,7 +222,7 @@ TEST(Orientation, OfOpenSurfacesKeepsMostOfTheirArea)
   {
     const auto id = static_cast<std::int32_t>(flat.points.size());
     flat.points.push_back({5.0 + i, -0.1 * (i + 1), 0});
-    // The small triangles are a fan beside the large one, the wrong way round.
+    // The small triangles are a fan next to the large one, the wrong way round.
     flat.triangles.push_back({i == 0 ? 0 : id - 1, 1, id});
   }
   const Orientation found = orient(clean(flat));
@@ -257,7 +257,7 @@ TEST(Orientation, LeavesWhatIsOneSided)
   const Surface surface = clean(strip);
   EXPECT_EQ(winding::contradictionsOf(surface, edgesOf(surface)).oneSided, 1u);
   EXPECT_EQ(orient(surface).triangles, 0u);
-  // A component beside the one-sided one is oriented.
+  // A component next to the one-sided one is oriented.
   const Mesh both = strip.with(shuffled(ball({7, 0, 0}, 1), 762));
   const Surface found = oriented(both);
   EXPECT_NEAR(windingAt(found, {7, 0, 0}) - windingAt(clean(strip), {7, 0, 0}), 1, 1e-9);
