@@ -128,7 +128,8 @@ public:
       static_cast<double>(touched.size()) /
       static_cast<double>(std::max<std::size_t>(1, touched.size() + 100 * divided.size()));
     progress.set(0.6, 0.6 + 0.4 * share);
-    constexpr std::size_t cellsPerBlock = 64;
+    // Few cells may have many triangles each.
+    const std::size_t cellsPerBlock = std::clamp<std::size_t>(touched.size() / 256, 1, 64);
     executor_.run((touched.size() + cellsPerBlock - 1) / cellsPerBlock,
       [&](std::size_t block)
       {
