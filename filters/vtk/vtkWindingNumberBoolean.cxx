@@ -35,6 +35,7 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
+#include <set>
 #include <utility>
 
 namespace
@@ -247,6 +248,27 @@ bool vtkWindingNumberBoolean::ReachesBeyondSource(int operand) const
   return !winding::textOf(this->SheetSide).empty() ||
          (this->GetOperandInsideRule(operand) != ODD &&
            this->GetOperandThreshold(operand) < withinHull);
+}
+
+void vtkWindingNumberBoolean::HashBounds(winding::ContentHash& hash)
+{
+  this->Superclass::HashBounds(hash);
+  constexpr int anyOther = -1;
+  std::set<int> operands = {anyOther};
+  for (const auto& [operand, threshold] : this->OperandThresholds)
+  {
+    operands.insert(operand);
+  }
+  for (const auto& [operand, rule] : this->OperandInsideRules)
+  {
+    operands.insert(operand);
+  }
+  hash.addValue(this->Operation);
+  for (const int operand : operands)
+  {
+    hash.addValue(operand);
+    hash.addValue(this->ReachesBeyondSource(operand));
+  }
 }
 
 /// Finds the bounds of what the result can reach. Operands that reach beyond their sources set no

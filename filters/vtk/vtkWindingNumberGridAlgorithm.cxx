@@ -273,6 +273,11 @@ bool vtkWindingNumberGridAlgorithm::ForEachTime(
   return !times.steps.empty();
 }
 
+void vtkWindingNumberGridAlgorithm::HashBounds(winding::ContentHash& hash)
+{
+  hash.addValue(winding::hashOf(this->GetSourceOptions()));
+}
+
 void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes(vtkInformation* outInfo)
 {
   Times times = this->GetTimes();
@@ -282,7 +287,7 @@ void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes(vtkInformation* outIn
     this->BoundsOfTimes.clear();
     return;
   }
-  times.hash.addValue(winding::hashOf(this->GetSourceOptions()));
+  this->HashBounds(times.hash);
   if (!this->BoundsOfTimes.empty() && this->SourceOfTimes == times.hash.value())
   {
     return;

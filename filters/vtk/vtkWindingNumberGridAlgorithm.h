@@ -181,6 +181,9 @@ protected:
   /// Returns whether the result is one of all times: no, unless a filter says otherwise.
   virtual bool IsOfAllTimes() const { return false; }
 
+  /// Adds everything to a hash that GetSourceBounds() depends on, except the source itself.
+  virtual void HashBounds(winding::ContentHash& hash);
+
   /// Lays the grid that the properties want over a source.
   void LayOutGrid(vtkDataObject* source);
 

@@ -19,6 +19,7 @@
 #include "vtkSurfaceReport.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
+#include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberLabels.h"
@@ -186,6 +187,42 @@ TEST_F(Time, BoundsOverAllTimesAreThoseOfTheSourceAsItIsTaken)
     field->UpdateTimeStep(1);
     EXPECT_NEAR(field->GetOutput()->GetSpacing()[0], width / 50, 1e-3) << mirror;
   }
+}
+
+/// The bounds of a result depend on the operation, and on the rules and thresholds of operands.
+TEST_F(Time, BoundsOverAllTimesFollowTheOperation)
+{
+  vtkNew<vtkSphereSource> around;
+  around->SetRadius(50);
+  around->SetThetaResolution(24);
+  around->SetPhiResolution(24);
+  vtkNew<vtkWindingNumberBoolean> solids;
+  solids->SetInputConnection(0, sphere->GetOutputPort());
+  solids->SetInputConnection(1, around->GetOutputPort());
+  solids->BoundsOverAllTimesOn();
+  solids->SetPadding(0);
+  solids->SetResolution(40);
+  const auto widthFor = [&](int operation)
+  {
+    solids->SetOperation(operation);
+    solids->UpdateTimeStep(1);
+    int dimensions[3];
+    double first[3], spacing[3];
+    solids->GetGrid(dimensions, first, spacing);
+    return dimensions[0] * spacing[0];
+  };
+  constexpr double moving = 21.5, all = 100;
+  EXPECT_NEAR(widthFor(vtkWindingNumberBoolean::DIFFERENCE), moving, 0.01);
+  EXPECT_NEAR(widthFor(vtkWindingNumberBoolean::UNION), all, 0.01);
+  EXPECT_NEAR(widthFor(vtkWindingNumberBoolean::INTERSECTION), moving, 0.01);
+  solids->SetOperandThreshold(0, 0.4);
+  EXPECT_NEAR(widthFor(vtkWindingNumberBoolean::INTERSECTION), all, 0.01);
+  solids->SetOperandInsideRule(0, vtkWindingNumberBoolean::ODD);
+  EXPECT_NEAR(widthFor(vtkWindingNumberBoolean::INTERSECTION), moving, 0.01);
+  solids->ClearOperandInsideRules();
+  EXPECT_NEAR(widthFor(vtkWindingNumberBoolean::INTERSECTION), all, 0.01);
+  solids->ClearOperandThresholds();
+  EXPECT_NEAR(widthFor(vtkWindingNumberBoolean::INTERSECTION), moving, 0.01);
 }
 
 /// The grid reaches beyond the bounds of all times by the offset.
