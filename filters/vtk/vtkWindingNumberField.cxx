@@ -99,6 +99,7 @@ void vtkWindingNumberField::UniteTimes(vtkImageData* all, vtkImageData* other)
   this->NumberOfInsideSamples = winding::uniteResults(this->GetAttributes(all),
     this->GetAttributes(other), name.empty() ? "WindingNumber" : name,
     winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
+  this->SampleCounts[1] = this->NumberOfInsideSamples;
 }
 
 winding::ResultOptions vtkWindingNumberField::GetResultOptions() const

@@ -29,6 +29,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -361,6 +362,45 @@ TEST_F(Time, UnionOverAllTimesIsTheSweptVolume)
     // Three spheres, which do not meet, of radii 0.5, 0.75 and 1: (0.125 + 0.422 + 1) 4π/3.
     const double voxel = std::pow(swept->GetOutput()->GetSpacing()[0], 3);
     EXPECT_NEAR(voxel * swept->GetNumberOfInsideSamples(), 6.48, 0.3); // 6.4 measured
+  }
+}
+
+/// Samples inside are counted by the arrays that there are, and by the coverage first.
+TEST_F(Time, UnionOverAllTimesCountsSamplesByAnyArrays)
+{
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(sphere->GetOutputPort());
+  field->SetResolution(60);
+  field->UnionOverAllTimesOn();
+  for (const int type : {VTK_FLOAT, VTK_DOUBLE})
+  {
+    vtkIdType inside = 0;
+    for (const auto& [hasValues, hasInside, hasDistances] : {std::array{true, true, true},
+           {true, false, false}, {false, true, false}, {false, false, true}})
+    {
+      field->SetOutputScalarType(type);
+      field->SetGenerateWindingNumber(hasValues);
+      field->SetGenerateInside(hasInside);
+      field->SetGenerateSignedDistance(hasDistances);
+      field->Update();
+      inside = inside == 0 ? field->GetNumberOfInsideSamples() : inside;
+      EXPECT_GT(inside, 50);
+      EXPECT_EQ(field->GetNumberOfInsideSamples(), inside) << hasValues << hasInside;
+      EXPECT_EQ(field->GetSampleCounts()[1], inside) << hasValues << hasInside;
+    }
+    field->GenerateWindingNumberOn();
+    field->SetCoverageToAny();
+    field->Update();
+    vtkDataArray* const touched = field->GetOutput()->GetPointData()->GetArray("Inside");
+    vtkIdType count = 0;
+    for (vtkIdType n = 0; n < touched->GetNumberOfTuples(); ++n)
+    {
+      count += touched->GetTuple1(n) != 0;
+    }
+    EXPECT_GT(count, inside);
+    EXPECT_EQ(field->GetNumberOfInsideSamples(), count);
+    EXPECT_EQ(field->GetSampleCounts()[1], count);
+    field->SetCoverageToCenter();
   }
 }
 
