@@ -4,6 +4,8 @@
 #include "vtk/ErrorLog.h"
 #include "vtk/MovingSphere.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkContourFilter.h"
 #include "vtkFieldData.h"
@@ -13,6 +15,9 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkReverseSense.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -30,11 +35,14 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <numeric>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace
@@ -251,6 +259,37 @@ TEST_F(Time, BoundsOverAllTimesReachToTheOffset)
   EXPECT_NEAR(surface->GetOutput()->GetBounds()[1], centerAt(2) + radiusAt(2) + offset, 0.15);
 }
 
+/// The times are those of all sources together, of which the second has one of its own.
+TEST_F(Time, AllTimesAreThoseOfEverySource)
+{
+  vtkNew<MovingSphere> other;
+  other->SetTimes({3});
+  other->SetStep(-10);
+  vtkNew<vtkWindingNumberLabels> labels;
+  labels->AddInputConnection(sphere->GetOutputPort());
+  labels->AddInputConnection(other->GetOutputPort());
+  labels->SetPadding(0);
+  labels->SetResolution(100);
+  for (const bool isUnion : {false, true})
+  {
+    labels->SetBoundsOverAllTimes(!isUnion);
+    labels->SetUnionOverAllTimes(isUnion);
+    labels->Update();
+    // At time 3 the spheres have a radius of 1.25, and lie at -30 and 30.
+    EXPECT_NEAR(labels->GetOutput()->GetSpacing()[0], 62.5 / 100, 1e-3);
+    EXPECT_NEAR(labels->GetOutput()->GetOrigin()[0], 0.5 * 62.5 / 100 - 31.25, 0.01);
+  }
+  vtkImageData* const image = labels->GetOutput();
+  std::map<int, int> found; // labels by their place
+  for (vtkIdType n = 0; n < image->GetNumberOfPoints(); ++n)
+  {
+    const int label = static_cast<int>(image->GetPointData()->GetScalars()->GetTuple1(n));
+    const int place = static_cast<int>(std::lround(image->GetPoint(n)[0] / 10));
+    found[place] = std::max(found[place], label);
+  }
+  EXPECT_EQ(found, (std::map<int, int>{{-3, 2}, {-2, 2}, {-1, 2}, {0, 1}, {1, 1}, {2, 1}, {3, 1}}));
+}
+
 /// Sources that move by themselves have the time of the first one.
 TEST_F(Time, BoundsOverAllTimesKeepTheTimeOfTheFirstSource)
 {
@@ -362,6 +401,33 @@ TEST_F(Time, UnionOverAllTimesIsTheSweptVolume)
     // Three spheres, which do not meet, of radii 0.5, 0.75 and 1: (0.125 + 0.422 + 1) 4π/3.
     const double voxel = std::pow(swept->GetOutput()->GetSpacing()[0], 3);
     EXPECT_NEAR(voxel * swept->GetNumberOfInsideSamples(), 6.48, 0.3); // 6.4 measured
+  }
+}
+
+/// Spheres that look inward are farthest inside where w is -1, by the rules for which they are.
+TEST_F(Time, UnionOverAllTimesTakesTheValueThatIsFarthestInside)
+{
+  vtkNew<vtkReverseSense> inward;
+  inward->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(inward->GetOutputPort());
+  field->SetResolution(60);
+  field->UnionOverAllTimesOn();
+  for (const int rule :
+    {vtkWindingNumberField::SIGNED, vtkWindingNumberField::ABSOLUTE, vtkWindingNumberField::ODD})
+  {
+    field->SetInsideRule(rule);
+    field->Update();
+    vtkDataArray* const values = field->GetOutput()->GetPointData()->GetScalars();
+    vtkIdType negative = 0, others = 0;
+    for (vtkIdType n = 0; n < values->GetNumberOfTuples(); ++n)
+    {
+      negative += values->GetTuple1(n) == -1;
+      others += values->GetTuple1(n) != -1 && values->GetTuple1(n) != 0;
+    }
+    EXPECT_EQ(others, 0) << rule;
+    EXPECT_EQ(negative > 50, rule != vtkWindingNumberField::SIGNED) << rule;
+    EXPECT_EQ(field->GetNumberOfInsideSamples(), negative) << rule;
   }
 }
 
@@ -576,6 +642,51 @@ TEST_F(Time, UnionOverAllTimesTakesBothSharesFromOneTime)
   }
 }
 
+/// Each label has its largest share of any time, and each voxel the largest count of solids.
+TEST_F(Time, UnionOverAllTimesHasTheLargestShareOfEachLabel)
+{
+  vtkNew<MovingSphere> other;
+  sphere->SetStep(0.3);
+  other->SetStep(-0.2);
+  vtkNew<vtkWindingNumberLabels> swept, single;
+  for (vtkWindingNumberLabels* labels : {swept.Get(), single.Get()})
+  {
+    labels->AddInputConnection(sphere->GetOutputPort());
+    labels->AddInputConnection(other->GetOutputPort());
+    labels->UseInputBoundsOff();
+    labels->SetSamplingBounds(-1.5, 2, -1.5, 1.5, -1.5, 1.5);
+    labels->SetResolution(16);
+    labels->SetCoverageToFraction();
+    labels->SetCoverageArrays(vtkWindingNumberLabels::EACH_LABEL);
+    labels->GenerateSolidCountOn();
+  }
+  swept->UnionOverAllTimesOn();
+  swept->Update();
+  for (const char* const name : {"Coverage 1", "Coverage 2", "SolidCount"})
+  {
+    vtkDataArray* const found = swept->GetOutput()->GetPointData()->GetArray(name);
+    ASSERT_NE(found, nullptr) << name;
+    std::vector<double> largest(static_cast<std::size_t>(found->GetNumberOfTuples()));
+    int later = 0;
+    for (const int time : {0, 1, 2})
+    {
+      single->UpdateTimeStep(time);
+      vtkDataArray* const now = single->GetOutput()->GetPointData()->GetArray(name);
+      for (std::size_t n = 0; n < largest.size(); ++n)
+      {
+        const double value = now->GetTuple1(static_cast<vtkIdType>(n));
+        later += time > 0 && value > largest[n];
+        largest[n] = std::max(largest[n], value);
+      }
+    }
+    EXPECT_GT(later, 20) << name;
+    for (std::size_t n = 0; n < largest.size(); ++n)
+    {
+      ASSERT_EQ(found->GetTuple1(static_cast<vtkIdType>(n)), largest[n]) << name << " " << n;
+    }
+  }
+}
+
 TEST_F(Time, UnionOverAllTimesKeepsLabelsOfEveryTime)
 {
   vtkNew<vtkWindingNumberLabels> labels;
@@ -623,6 +734,115 @@ TEST_F(Time, UnionOverAllTimesSaysAtHowManyTimesItWarns)
   field->Modified();
   field->UpdateTimeStep(2);
   EXPECT_EQ(field->GetOutput()->GetScalarRange()[1], before) << "no time of the output's own";
+}
+
+/// A surface of its own at each of the times from 0 on.
+class OneByOne : public vtkPolyDataAlgorithm
+{
+public:
+  static OneByOne* New() { VTK_STANDARD_NEW_BODY(OneByOne); }
+  vtkTypeMacro(OneByOne, vtkPolyDataAlgorithm);
+
+  /// Gives the source spheres around the origin by their radii; 0 stands for none.
+  void SetRadii(std::vector<double> radii) { radii_ = std::move(radii); }
+
+protected:
+  OneByOne() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    std::vector<double> times(radii_.size());
+    std::iota(times.begin(), times.end(), 0.0);
+    const double range[2] = {times.front(), times.back()};
+    vtkInformation* info = outputs->GetInformationObject(0);
+    info->Set(
+      vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+    return 1;
+  }
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    vtkInformation* info = outputs->GetInformationObject(0);
+    const double time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
+    const double radius = radii_[static_cast<std::size_t>(std::lround(time))];
+    if (radius > 0)
+    {
+      vtkNew<vtkSphereSource> sphere;
+      sphere->SetRadius(radius);
+      sphere->Update();
+      vtkPolyData::GetData(info)->ShallowCopy(sphere->GetOutput());
+    }
+    return 1;
+  }
+
+private:
+  std::vector<double> radii_;
+};
+
+/// Nothing is inside at the second time, whatever the union has from the first.
+TEST_F(Time, UnionOverAllTimesWarnsOfWhatIsLostAtOneTime)
+{
+  vtkNew<OneByOne> source;
+  source->SetRadii({1, 0.05});
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(source->GetOutputPort());
+  field->UseInputBoundsOff();
+  field->SetSamplingBounds(-1.25, 1.25, -1.25, 1.25, -1.25, 1.25);
+  field->SetResolution(10); // the origin is a corner of voxels
+  field->UnionOverAllTimesOn();
+  for (const int coverage : {vtkWindingNumberField::CENTER, vtkWindingNumberField::FRACTION})
+  {
+    field->SetCoverage(coverage);
+    const ErrorLog log(field);
+    field->Update();
+    EXPECT_GT(field->GetNumberOfInsideSamples(), 100);
+    EXPECT_EQ(countOf("Warning: ", log.warnings()), 1) << log.warnings();
+    EXPECT_EQ(countOf("and no sample is inside, at 1 of 2 times", log.warnings()), 1)
+      << log.warnings();
+  }
+}
+
+/// A grid that was laid without a source is laid over one as the properties say.
+TEST_F(Time, GridFollowsASourceThatComes)
+{
+  for (const double padding : {0.05, 0.5})
+  {
+    vtkNew<OneByOne> source;
+    source->SetRadii({0, 1});
+    vtkNew<vtkWindingNumberField> field;
+    field->SetInputConnection(source->GetOutputPort());
+    field->SetResolution(20);
+    field->SetPadding(padding);
+    field->UpdateTimeStep(0);
+    EXPECT_EQ(field->GetOutput()->GetSpacing()[0], 0.05) << "of the bounds that are given";
+    field->UpdateTimeStep(1);
+    EXPECT_EQ(field->GetOutput()->GetDimensions()[2], 20);
+    EXPECT_NEAR(field->GetOutput()->GetSpacing()[2], 2 * (1 + 2 * padding) / 20, 1e-6);
+  }
+}
+
+/// A filter may warn of several sources at a time, which is one time.
+TEST_F(Time, WarningsOfOneKindCountOnceForEachTime)
+{
+  vtkNew<vtkSphereSource> object;
+  const ErrorLog log(object);
+  {
+    winding::DistinctWarnings warnings(object);
+    for (const int holes : {0, 3})
+    {
+      warnings.begin();
+      for (int part = 0; part < holes; ++part)
+      {
+        vtkWarningWithObjectMacro(object, << "there are " << part << " holes");
+      }
+    }
+    warnings.begin();
+    vtkWarningWithObjectMacro(object, << "there are 9 holes");
+  }
+  EXPECT_EQ(countOf("Warning: ", log.warnings()), 1) << log.warnings();
+  EXPECT_EQ(countOf("there are 0 holes; at 2 of 3 times", log.warnings()), 1) << log.warnings();
 }
 
 /// Warnings about two solids are two, whatever their names have in common.
@@ -803,6 +1023,45 @@ TEST_F(Time, UnionOverAllTimesKeepsTheLongestExpectedTime)
   field->UnionOverAllTimesOn();
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED) << shortest;
+}
+
+/// Eight times take longer than one, which is said at the first.
+TEST_F(Time, UnionOverAllTimesExpectsTheSecondsOfThoseThatFollow)
+{
+  std::vector<double> times(8);
+  std::iota(times.begin(), times.end(), 0.0);
+  sphere->SetTimes(times);
+  vtkNew<vtkWindingNumberField> field;
+  field->SetInputConnection(sphere->GetOutputPort());
+  field->SetMethod(vtkWindingNumberField::DIRECT);
+  field->UseInputBoundsOff();
+  field->SetSamplingBounds(-1, 1, -1, 1, -1, 1);
+  field->SetResolution(40);
+  field->SetNumberOfThreads(1);
+  field->UnionOverAllTimesOn();
+  field->SetLongestExpectedTime(60); // measured at that look: 31 s for one time, 250 s for all
+  vtkNew<vtkCallbackCommand> wait, count;
+  wait->SetCallback(
+    [](vtkObject* filter, unsigned long, void*, void*)
+    {
+      // The clock is looked at after a second, and a time takes a few.
+      const char* const text = vtkAlgorithm::SafeDownCast(filter)->GetProgressText();
+      if (text && std::string(text) == "Evaluating")
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+      }
+    });
+  field->AddObserver(vtkCommand::ProgressEvent, wait);
+  int executions = 0;
+  count->SetClientData(&executions);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
+  sphere->AddObserver(vtkCommand::StartEvent, count);
+  const ErrorLog log(field);
+  field->Update();
+  EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
+  EXPECT_GT(field->GetExpectedSeconds(), 60);
+  EXPECT_LE(executions, 3) << "before, at the first time and after it";
 }
 
 TEST_F(Time, UnionOverAllTimesIsRefusedWithNearestCells)
