@@ -98,6 +98,10 @@ TEST(ObjFile, VerticesAreThereOnceForEachTextureThatCornersName)
   expectCells(mesh.lines, {0, 2}, {0, 1});
   EXPECT_EQ(parsed(readObj, text).points.count(), 4u);
   EXPECT_TRUE(parsed(readObj, text).textureCoordinates.empty());
+  const std::string normals = "vn 0 0 1\nvn 0 2 0\nvn 3 0 0\nvn 4 0 0\n";
+  EXPECT_EQ(vectorOf(parsed(wanted, normals + text).normals.doubles),
+    (std::vector<double>{0, 0, 1, 0, 2, 0, 3, 0, 0, 4, 0, 0, 0, 2, 0, 0, 2, 0, 3, 0, 0}))
+    << "copies have normals, too";
 }
 
 TEST(ObjFile, RegionsAreNamed)

@@ -413,6 +413,41 @@ TEST(PlyFile, NumbersOfFacesAreReadWhereTheyAreWanted)
   }
 }
 
+TEST(PlyFile, ColorsOfFacesOfRealNumbersBecomeBytes)
+{
+  const auto wanted = [](const InputFile& file, Executor& executor)
+  {
+    return readPlyColumns(file, {{}, true}, executor);
+  };
+  for (const std::string format : formats)
+  {
+    for (const bool areUniform : {false, true})
+    {
+      SCOPED_TRACE(format + (areUniform ? " triangles" : " polygons"));
+      Body body(format);
+      for (int i = 0; i < 4; ++i)
+      {
+        body.add<float>(1).add<float>(2).add<float>(3).endItem();
+      }
+      for (int i = 0; i < 2; ++i)
+      {
+        body.add<float>(1).add<double>(0.5 * i);
+        body.addList("uchar", "int", areUniform || i != 1 ? Ids{0, 1, 2} : Ids{0, 1, 2, 3});
+        body.add<float>(0.1).add<float>(-i).endItem();
+      }
+      const MeshArrays mesh =
+        parsed(wanted, head(format, vertexHead(4, "float") +
+                                      "element face 2\nproperty float red\nproperty double green\n"
+                                      "property list uchar int vertex_indices\n"
+                                      "property float blue\nproperty float alpha\n") +
+                         body.bytes());
+      EXPECT_EQ(mesh.faceColorComponents, 4);
+      EXPECT_EQ(std::vector<int>(mesh.faceColors.begin(), mesh.faceColors.end()),
+        (std::vector<int>{255, 0, 26, 0, 255, 128, 26, 0}));
+    }
+  }
+}
+
 TEST(PlyFile, OtherNumbersOfVerticesAreReadWhereTheyAreWanted)
 {
   const auto wanted = [](const InputFile& file, Executor& executor)

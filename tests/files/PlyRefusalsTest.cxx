@@ -124,6 +124,14 @@ TEST(PlyFile, RefusalsOfBinaries)
       body.add<double>(length).add<int>(0).add<int>(1);
       return head(format, vertexHead(3) + faceHead(2, "double")) + body.bytes();
     };
+    Body small(format);
+    for (int i = 0; i < 9; ++i)
+    {
+      small.add<float>(i);
+    }
+    small.add<std::int8_t>(-1).add<int>(0);
+    EXPECT_EQ(refusalOf(readPly, head(format, vertexHead(3) + faceHead(1, "char")) + small.bytes()),
+      "a list of -1 numbers; it is damaged; give another file");
     EXPECT_EQ(refusalOf(readPly, faceOfLength(2)), "");
     EXPECT_EQ(refusalOf(readPly, faceOfLength(-1)),
       "a list of -1 numbers; it is damaged; give another file");

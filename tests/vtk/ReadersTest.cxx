@@ -278,6 +278,39 @@ TEST(ReaderOfMeshes, PlyWithColoursAndTextureCoordinates)
   EXPECT_EQ(coordinates->GetComponent(0, 1), 0.25);
 }
 
+/// Vertices and faces may have colours of different numbers of components.
+TEST(ReaderOfMeshes, PlyWithColoursOfVerticesAndFaces)
+{
+  const auto colors = [](bool hasAlpha)
+  {
+    return std::string("property uchar red\nproperty uchar green\nproperty uchar blue\n") +
+           (hasAlpha ? "property uchar alpha\n" : "");
+  };
+  for (const bool haveFacesAlpha : {false, true})
+  {
+    const std::string ofVertices = haveFacesAlpha ? " 4 5 6\n" : " 4 5 6 7\n";
+    const TextFile file(plyHead + colors(!haveFacesAlpha) +
+                          "element face 1\nproperty list uchar int vertex_indices\n" +
+                          colors(haveFacesAlpha) + "end_header\n0 0 0" + ofVertices + "1 0 0" +
+                          ofVertices + "0 1 0" + ofVertices + "3 0 1 2 1 2 3" +
+                          (haveFacesAlpha ? " 9\n" : "\n"),
+      ".ply");
+    vtkNew<vtkSourceReader> reader;
+    reader->SetFileName(file.path());
+    reader->ReadAllColumnsOn();
+    reader->Update();
+    vtkDataArray* const vertices = reader->GetOutput()->GetPointData()->GetScalars();
+    vtkDataArray* const faces = reader->GetOutput()->GetCellData()->GetScalars();
+    ASSERT_TRUE(vertices && faces);
+    EXPECT_STREQ(vertices->GetName(), haveFacesAlpha ? "RGB" : "RGBA");
+    EXPECT_STREQ(faces->GetName(), haveFacesAlpha ? "RGBA" : "RGB");
+    EXPECT_EQ(vertices->GetNumberOfComponents(), haveFacesAlpha ? 3 : 4);
+    ASSERT_EQ(faces->GetNumberOfComponents(), haveFacesAlpha ? 4 : 3);
+    ASSERT_EQ(faces->GetNumberOfTuples(), 1);
+    EXPECT_EQ(faces->GetComponent(0, haveFacesAlpha ? 3 : 2), haveFacesAlpha ? 9 : 3);
+  }
+}
+
 TEST(ReaderOfMeshes, RefusalsOfPlyAndStl)
 {
   expectRefusal("solid\n", "is not ply: it does not begin like PLY", format, ".ply");
