@@ -10,6 +10,7 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkImplicitWindingNumber.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPlaneSource.h"
@@ -95,6 +96,14 @@ TEST(Completion, MakesTheWholeOfHalfADome)
   field->GetOutput()->GetBounds(bounds);
   EXPECT_LT(bounds[2], -1);
   EXPECT_EQ(field->GetNumberOfBoundaryEdges(), 0);
+  // The grid reaches to the base, too.
+  vtkNew<vtkWindingNumberField> tall;
+  tall->SetInputData(halfDome());
+  tall->SetFlatBase("z=-2");
+  tall->SetPadding(0);
+  tall->SetVoxelSize(0.25);
+  tall->UpdateInformation();
+  EXPECT_EQ(tall->GetOutputInformation(0)->Get(vtkDataObject::ORIGIN())[2], -2 + 0.125);
   vtkImageData* image = field->GetOutput();
   double voxel = 1;
   for (const double size : {image->GetSpacing()[0], image->GetSpacing()[1], image->GetSpacing()[2]})
@@ -209,6 +218,7 @@ TEST(Completion, LabelsLayersBetweenHorizons)
   const double bounds[6] = {-1, 1, -1, 1, -1, 1};
   labels->SetSamplingBounds(const_cast<double*>(bounds));
   labels->SetResolution(20);
+  const ErrorLog log(labels);
   labels->Update();
   vtkImageData* image = labels->GetOutput();
   vtkDataArray* label = image->GetPointData()->GetArray("Label");
@@ -218,6 +228,8 @@ TEST(Completion, LabelsLayersBetweenHorizons)
     const int expected = z > 0.3 ? 0 : z > 0 ? 1 : z > -0.4 ? 3 : 2;
     ASSERT_EQ(label->GetTuple1(i), expected) << z;
   }
+  EXPECT_EQ(labels->GetNumberOfOpenSolids(), 0) << "sheets are to be open";
+  EXPECT_EQ(log.warnings().find("have holes"), std::string::npos) << log.warnings();
 }
 
 TEST(Completion, WeldsInputsOfOneBody)

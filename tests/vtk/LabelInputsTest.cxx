@@ -140,6 +140,21 @@ TEST_F(LabelInputs, CompositesOfEveryKindGiveTheSame)
     << warnings;
 }
 
+/// A name that is given stays, even where it looks like one with a number.
+TEST_F(LabelInputs, EqualNamesGetNumbersThatNoOtherHas)
+{
+  const Surfaces balls = fiveBalls();
+  const auto blocks = asAssembly(balls);
+  const char* const given[] = {"a", "a", "a (2)", "a", "a (2)"};
+  for (unsigned int i = 0; i < balls.size(); ++i)
+  {
+    blocks->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), given[i]);
+  }
+  made(blocks);
+  EXPECT_EQ(names(), (std::vector<std::string>{"a", "a (3)", "a (2)", "a (4)", "a (2) (2)"}));
+  EXPECT_NE(warnings.find("; 3 of 5 got a number"), std::string::npos) << warnings;
+}
+
 TEST_F(LabelInputs, RegionsOfACellArrayAreSolids)
 {
   const Surfaces balls = fiveBalls();
@@ -242,6 +257,43 @@ TEST_F(LabelInputs, AreNamedByTheirFile)
   labels->SetRegionArray("MaterialIds");
   EXPECT_EQ(made(withNames(balls, "Material", {1, 0, 1})), expected);
   EXPECT_EQ(names(), (std::vector<std::string>{"skin", "bone"}));
+}
+
+/// One name for all is none that distinguishes the parts.
+TEST_F(LabelInputs, AreNotNamedByANameThatAllHave)
+{
+  const Surfaces balls = {ball(0, 0, 0, 1), ball(3, 0, 0, 0.7), ball(5, 0, 0, 0.5)};
+  const auto expected = made(asAssembly(balls));
+  for (const std::string kind : {"Object", "Solid", "Group", "Material"})
+  {
+    const auto surface = withNames(balls, kind, {1, 1, 1});
+    EXPECT_EQ(made(surface), expected) << kind;
+    EXPECT_EQ(names(), (std::vector<std::string>{"Part 1", "Part 2", "Part 3"})) << kind;
+    EXPECT_EQ(warnings, "");
+    if (kind != "Material")
+    {
+      const auto others = withNames(balls, "Material", {2, 1, 0});
+      surface->GetCellData()->AddArray(others->GetCellData()->GetArray("MaterialIds"));
+      surface->GetFieldData()->AddArray(others->GetFieldData()->GetAbstractArray("MaterialNames"));
+      made(surface);
+      EXPECT_EQ(names(), (std::vector<std::string>{"skin", "bone", "Material 2"})) << kind;
+    }
+  }
+}
+
+/// An open part counts as an open solid, unless open parts are ignored.
+TEST_F(LabelInputs, OpenPartsInsideOfOthersAreCounted)
+{
+  const auto surface = appended({ball(0, 0, 0, 1), ball(0, 0, 0, 0.5, 30), ball(3, 0, 0, 0.6)});
+  made(surface);
+  EXPECT_EQ(labels->GetNumberOfSolids(), 3);
+  EXPECT_EQ(labels->GetNumberOfOpenSolids(), 1);
+  EXPECT_NE(warnings.find("they bound nothing; 1 of 3 solids ("), std::string::npos) << warnings;
+  EXPECT_EQ(warnings.find("have holes"), std::string::npos) << warnings;
+  labels->IgnoreOpenPartsOn();
+  made(surface);
+  EXPECT_EQ(labels->GetNumberOfSolids(), 2);
+  EXPECT_EQ(labels->GetNumberOfOpenSolids(), 0);
 }
 
 TEST_F(LabelInputs, NamesThatDividePartsAreTold)
@@ -505,12 +557,17 @@ TEST_F(LabelInputs, SayWhichLabelsHaveNoVoxelsAndWhy)
   this->made(asAssembly({ball(0, 0, 0, 1), ball(0.011, 0.012, 0.013, 0.001)}));
   EXPECT_NE(warnings.find("some solids have no voxel inside"), std::string::npos) << warnings;
   EXPECT_NE(warnings.find("1 of 2 solids ('solid 1')"), std::string::npos) << warnings;
+  EXPECT_EQ(warnings.find("others hide"), std::string::npos) << warnings;
 
   labels->UseInputBoundsOff();
   labels->SetSamplingBounds(-1.1, 1.1, -1.1, 1.1, -1.1, 1.1);
   this->made(asAssembly({ball(0, 0, 0, 1), ball(5, 0, 0, 0.5)}));
   EXPECT_NE(warnings.find("the grid misses some solids"), std::string::npos) << warnings;
   EXPECT_NE(warnings.find("1 of 2 solids ('solid 1')"), std::string::npos) << warnings;
+  EXPECT_EQ(warnings.find("others hide"), std::string::npos) << warnings;
+  this->made(asAssembly({ball(4, 0, 0, 1), ball(5, 0, 0, 0.5)}));
+  EXPECT_NE(warnings.find("2 of 2 solids ('solid 0', 'solid 1')"), std::string::npos) << warnings;
+  EXPECT_EQ(warnings.rfind("Warning: "), warnings.find("Warning: ")) << "one line: " << warnings;
 }
 
 } // namespace

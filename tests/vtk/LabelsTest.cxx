@@ -9,6 +9,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
+#include "vtkCubeSource.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
@@ -433,6 +434,30 @@ TEST_F(Labels, ValuesOfAllSolidsAreVerified)
     EXPECT_EQ(labels->GetNumberOfVerifiedSamples(), 0);
     labels->SetVerifySamples(50);
   }
+}
+
+/// Samples on faces are apart for each solid, and are as many for the same solid twice.
+TEST_F(Labels, SamplesOnAllSurfacesAreCounted)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->Update();
+  const vtkSmartPointer<vtkPolyData> one = cube->GetOutput();
+  labels->SetUseInputBounds(false);
+  labels->SetSamplingBounds(-0.75, 0.75, -0.75, 0.75, -0.75, 0.75);
+  labels->SetResolution(3); // samples at -0.5, 0 and 0.5
+  labels->SetVerifySamples(40);
+  vtkIdType found[3] = {};
+  for (const std::size_t count : {1, 2})
+  {
+    labels->SetInputData(asAssembly(std::vector<vtkSmartPointer<vtkPolyData>>(count, one)));
+    made();
+    found[count] = labels->GetNumberOfSamplesOnSurface();
+    EXPECT_EQ(labels->GetNumberOfVerifiedSamples() + labels->GetNumberOfNearVerifiedSamples() +
+                found[count],
+      static_cast<vtkIdType>(2 * 40 * count));
+  }
+  EXPECT_GT(found[1], 40);
+  EXPECT_EQ(found[2], 2 * found[1]);
 }
 
 TEST_F(Labels, LongWorkIsRefusedByTheSumOfAllSolids)
