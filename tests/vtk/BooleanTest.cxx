@@ -502,6 +502,12 @@ TEST_F(Boolean, WarnsOfOperandsThatTheGridDoesNotShow)
   EXPECT_EQ(warningsOf(far, Filter::DIFFERENCE), "");
   EXPECT_NE(
     warningsOf(far, Filter::INTERSECTION).find("see whether the solids meet"), std::string::npos);
+  // A union is empty of its own accord alone.
+  filter->SetUseInputBounds(false);
+  filter->SetSamplingBounds(2, 3, 2, 3, 2, 3);
+  const std::string ofUnion = warningsOf(far, Filter::UNION);
+  EXPECT_NE(ofUnion.find("nothing is inside of the result"), std::string::npos) << ofUnion;
+  EXPECT_EQ(ofUnion.find("see whether the solids meet"), std::string::npos) << ofUnion;
 }
 
 TEST_F(Boolean, WarnsByTheNameOfTheOperand)

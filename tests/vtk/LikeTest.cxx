@@ -6,12 +6,16 @@
 #include "vtk/ImageSamples.h"
 
 #include "vtkCellData.h"
+#include "vtkImageAlgorithm.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTrivialProducer.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberLabels.h"
@@ -357,6 +361,80 @@ TEST_F(Like, AnImageOfAnotherExtentThanAnnouncedIsRefused)
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::REFUSED);
   EXPECT_NE(log.errors().find("lies elsewhere than announced"), std::string::npos) << log.errors();
+}
+
+/// Announces the place of an image, and gives another.
+class OtherImage : public vtkImageAlgorithm
+{
+public:
+  static OtherImage* New() { VTK_STANDARD_NEW_BODY(OtherImage); }
+  vtkTypeMacro(OtherImage, vtkImageAlgorithm);
+
+  vtkNew<vtkImageData> announced, given;
+
+protected:
+  OtherImage() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    vtkInformation* info = outputs->GetInformationObject(0);
+    info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), announced->GetExtent(), 6);
+    info->Set(vtkDataObject::ORIGIN(), announced->GetOrigin(), 3);
+    info->Set(vtkDataObject::SPACING(), announced->GetSpacing(), 3);
+    info->Set(vtkDataObject::DIRECTION(), announced->GetDirectionMatrix()->GetData(), 9);
+    return 1;
+  }
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    vtkImageData::GetData(outputs)->ShallowCopy(given);
+    return 1;
+  }
+};
+
+TEST_F(Like, AnImageOfAnotherPlaceThanAnnouncedIsRefused)
+{
+  const auto image = imageAlong(oblique);
+  field->SetInputConnection(sphere->GetOutputPort());
+  field->SetResolution(4);
+  const auto statusOf = [&](vtkImageData* given)
+  {
+    vtkNew<OtherImage> source;
+    source->announced->ShallowCopy(image);
+    source->given->ShallowCopy(given);
+    field->SetLikeConnection(source->GetOutputPort());
+    const ErrorLog log(field);
+    field->Update();
+    const bool isTold = log.errors().find("lies elsewhere than announced") != std::string::npos;
+    EXPECT_EQ(isTold, field->GetStatus() == vtkWindingNumberField::REFUSED) << log.errors();
+    return field->GetStatus();
+  };
+  EXPECT_EQ(statusOf(image), vtkWindingNumberField::DONE);
+  vtkNew<vtkImageData> other;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double origin[3], spacing[3];
+    image->GetOrigin(origin);
+    image->GetSpacing(spacing);
+    origin[axis] += 0.01;
+    spacing[axis] *= 1.01;
+    other->ShallowCopy(image);
+    other->SetOrigin(origin);
+    EXPECT_EQ(statusOf(other), vtkWindingNumberField::REFUSED) << "origin " << axis;
+    other->ShallowCopy(image);
+    other->SetSpacing(spacing);
+    EXPECT_EQ(statusOf(other), vtkWindingNumberField::REFUSED) << "spacing " << axis;
+  }
+  for (int n = 0; n < 9; ++n)
+  {
+    other->ShallowCopy(image);
+    vtkNew<vtkMatrix3x3> directions;
+    directions->DeepCopy(image->GetDirectionMatrix());
+    directions->GetData()[n] += 1e-4;
+    other->SetDirectionMatrix(directions);
+    EXPECT_EQ(statusOf(other), vtkWindingNumberField::REFUSED) << "direction " << n;
+  }
 }
 
 } // namespace

@@ -250,6 +250,38 @@ TEST(Voxels, AxesThatRunBackwardsAreFollowed)
   }
 }
 
+/// The voxels of an image whose extent does not begin at 0 lie around its points, or are its cells.
+TEST(Voxels, ExtentsMayBeginAnywhere)
+{
+  for (const bool asCells : {false, true})
+  {
+    const int more = asCells ? 1 : 0;
+    vtkNew<vtkImageData> part;
+    part->SetExtent(3, 3 + more, -2, -2 + more, 7, 7 + more);
+    part->SetOrigin(10, 20, 30);
+    part->SetSpacing(2, 1, 0.5);
+    vtkNew<vtkFloatArray> values;
+    values->SetName("w");
+    values->InsertNextValue(1);
+    vtkDataSetAttributes* attributes = part->GetPointData();
+    if (asCells)
+    {
+      attributes = part->GetCellData();
+    }
+    attributes->SetScalars(values);
+    vtkNew<vtkWindingNumberVoxels> voxels;
+    voxels->SetInputData(part);
+    voxels->Update();
+    const double shift = asCells ? 0.5 : 0;
+    const double expected[6] = {16 - 1 + 2 * shift, 16 + 1 + 2 * shift, 18 - 0.5 + shift,
+      18 + 0.5 + shift, 33.5 - 0.25 + 0.5 * shift, 33.5 + 0.25 + 0.5 * shift};
+    for (int i = 0; i < 6; ++i)
+    {
+      EXPECT_EQ(voxels->GetOutput()->GetBounds()[i], expected[i]) << asCells << i;
+    }
+  }
+}
+
 TEST(Voxels, FlatImageOfCellsIsALayer)
 {
   vtkNew<vtkImageData> flat;
