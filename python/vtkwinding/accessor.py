@@ -780,11 +780,11 @@ class WindingAccessor:
         """
         number = _options.choice("method", method, _options.AREA_METHODS)
         source = _source(self._mesh, as_points=True, normals_array=normals_array)
-        for leaf in source.leaves:
-            if leaf.data.GetNumberOfPoints() != len(leaf.points) or (
-                    not leaf.data.IsA("vtkPolyData") and leaf.corners is not None):
-                raise WindingError("extract the surface first: the points of its outer surface are "
-                                   "not the points of the mesh")
+        if any(not isinstance(leaf, pv.PolyData) and _datasets.has_faces(leaf)
+               for leaf in _leaves(self._mesh)) or any(
+                   leaf.data.GetNumberOfPoints() != len(leaf.points) for leaf in source.leaves):
+            raise WindingError("extract the surface first: the points of its outer surface are "
+                               "not the points of the mesh")
         with bar(progress_bar, "Estimating areas") as show:
             areas, normals = _clouds.areas_of(
                 source, number, estimates=_options.flag("estimate_normals", estimate_normals),

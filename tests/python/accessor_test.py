@@ -474,6 +474,13 @@ class AccessorTest(Warned):
     def test_fractions_add_up_to_the_volume(self):
         mesh = ball()
         image = pv.ImageData(dimensions=(8, 9, 10), spacing=(0.2, 0.17, 0.15), origin=(-0.7,) * 3)
+        tetrahedron = pv.UnstructuredGrid(
+            np.array([4, 3, 1, 2, 0]), [10], [[0.0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 3]])
+        for cells in (tetrahedron, grid(4).cast_to_structured_grid(),
+                      pv.MultiBlock([mesh, grid(4).cast_to_unstructured_grid()])):
+            for method in ("mesh", "voronoi"):
+                self.assertRaisesRegex(vtkwinding.WindingError, "extract the surface first: the",
+                                       cells.winding.estimate_areas, method=method)
         grid = image.cast_to_unstructured_grid()
         voxels = grid.cell_connectivity.reshape(-1, 8)
         sets = pv.UnstructuredGrid(np.insert(voxels, 0, 8, axis=1).ravel(),
