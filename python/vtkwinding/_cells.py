@@ -34,12 +34,13 @@ def all_cells_of(leaves):
     """The cells of data sets, with points of their own."""
     made = [_cells_of(leaf) for leaf in leaves]
     points, ids, offsets = [np.empty((0, 3))], [np.empty(0, np.int64)], [np.zeros(1, np.int64)]
-    before = 0
+    before = end = 0
     for places, types, corners, starts, _ in made:
         points.append(places)
         ids.append(_shifted(types, corners, starts, before))
-        offsets.append(starts[1:] + offsets[-1][-1])
+        offsets.append(starts[1:] + end)
         before += len(places)
+        end += starts[-1]
     types = [np.empty(0, np.uint8), *(of_leaf[1] for of_leaf in made)]
     return Cells(
         np.ascontiguousarray(np.concatenate(points), float), np.concatenate(types),

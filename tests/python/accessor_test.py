@@ -584,6 +584,11 @@ class AccessorTest(Warned):
             found = ball().winding.voxelize_binary_mask(reference_volume=image, coverage=coverage)
             self.assertTrue(least <= found["mask"].sum() <= most, coverage)
         near = ball().winding.field(reference_volume=image, signed_distance=True, distance_band=5)
+        blocks = pv.MultiBlock([pv.PointSet(ball().points), polyhedra, pv.PointSet(), image])
+        found = blocks.winding.sample(mesh, fraction=True)
+        self.assertEqual(found[0].cell_data["Fraction"].size, 0)
+        for block in (1, 3):
+            np.testing.assert_allclose(found[block]["Fraction"], expected, atol=1e-5)
         self.assertLess(near["SignedDistance"].min(), -0.2)
 
     def test_points_that_are_not_used_do_not_count(self):
