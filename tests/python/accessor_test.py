@@ -11,11 +11,13 @@ import tempfile
 import typing
 import unittest
 import warnings
+from unittest import mock
 
 import numpy as np
 import pyvista as pv
 
 import vtkwinding
+from vtkwinding import _datasets
 
 
 def ball(resolution=30):
@@ -175,6 +177,21 @@ class AccessorTest(Warned):
         for image in (grid(), turned_grid()):
             self.assertEqual(ball().winding.voxelize_binary_mask(reference_volume=image),
                              ball().voxelize_binary_mask(reference_volume=image))
+
+    def test_lengths_of_edges_without_their_filter(self):
+        """VTK before 9.3 has no distribution of lengths."""
+        box = pv.Box(bounds=(0, 4, 0, 2, 0, 1)).triangulate()
+        warnings.simplefilter("ignore", vtkwinding.WindingWarning)  # of few voxels
+        for options, expected in (({"cell_length_percentile": 0}, (4, 2, 1)),
+                                  ({"cell_length_percentile": 0.5}, (2, 1, 1)),  # the root of 5
+                                  ({"cell_length_percentile": 1}, (1, 1, 1)),  # the root of 20
+                                  ({"cell_length_percentile": 1, "cell_length_sample_size": 1},
+                                   (2, 1, 1)),  # a triangle with the sides 1 and 2
+                                  ({"cell_length_sample_size": 12}, (4, 2, 1))):
+            with self.subTest(options), mock.patch.object(
+                    _datasets, "class_of", side_effect=ImportError):
+                mask = box.winding.voxelize_binary_mask(**options)
+                self.assertEqual(mask.dimensions, expected)
 
     def test_voxels_are_those_of_pyvista(self):
         for geometry in ({"dimensions": (9, 10, 11)}, {"spacing": (0.1, 0.2, 0.1)},
@@ -359,6 +376,45 @@ class AccessorTest(Warned):
         points = pv.PolyData(grid().points).winding.extract_interior(ball())
         self.assertLess(np.linalg.norm(points.points, axis=1).max(), 0.5)
 
+    def test_parts_of_points_without_cells(self):
+        points = grid(9).points
+        inside = vtkwinding.Field(ball().points, ball().regular_faces).contains(points)
+        cloud = pv.PointSet(points)
+        cloud["number"] = np.arange(len(points))
+        lost = pv.PointSet(np.concatenate([points, [[np.nan, 0, 0]]]))
+        lost["number"] = np.arange(len(points) + 1)
+        bare = pv.PolyData()
+        bare.points = points
+        bare["number"] = np.arange(len(points))
+        for data, kind in ((cloud, pv.UnstructuredGrid), (lost, pv.UnstructuredGrid),
+                           (bare, pv.PolyData)):
+            for part in (data.winding.extract_interior(ball()), data.winding.clip(ball())):
+                np.testing.assert_array_equal(part["number"], np.flatnonzero(inside))
+                np.testing.assert_array_equal(part.points, points[inside])
+                self.assertEqual(part.n_cells, inside.sum())
+            self.assertIs(type(data.winding.extract_interior(ball())), kind)
+            self.assertIs(type(data.winding.clip(ball())), pv.UnstructuredGrid)
+
+    def test_parts_keep_types_and_what_is_active(self):
+        for kind in ("f4", "f8"):
+            for mesh in (ball(8), ball(8).cast_to_unstructured_grid()):
+                mesh.points = mesh.points.astype(kind)
+                mesh["height"] = mesh.points[:, 2]
+                mesh.field_data["name"] = ["mine"]
+                other = ball().translate((0.2, 0, 0))
+                for part in (mesh.winding.extract_interior(other), mesh.winding.clip(other)):
+                    self.assertGreater(part.n_cells, 10)
+                    self.assertEqual(part.points.dtype, kind)
+                    self.assertEqual(part.active_scalars_name, "height")
+                    self.assertEqual(list(part.field_data["name"]), ["mine"])
+
+    def test_clips_leave_out_cells_of_points_that_are_nowhere(self):
+        mesh = grid(9).cast_to_unstructured_grid()
+        whole = mesh.winding.clip(ball(), inside_out=True)
+        mesh.points[0] = np.nan
+        self.assertAlmostEqual(
+            mesh.winding.clip(ball(), inside_out=True).volume, whole.volume - 0.15**3, 6)
+
     def test_reports(self):
         report = scan().winding.report()
         self.assertEqual((report["closed"], report["boundary_loops"]), (0, 1))
@@ -376,6 +432,25 @@ class AccessorTest(Warned):
         self.assertGreater(outward.winding.report()["volume"], 0)
         self.assertEqual(outward.field_data.keys(), [])
         self.assertLess(inward.winding.report()["volume"], 0)
+
+    def test_normals_of_clouds_are_turned_outward(self):
+        cloud = pv.PolyData(ball().points)
+        cloud["number"] = np.arange(cloud.n_points)
+        cloud["mixed"] = np.where(cloud["number"][:, None] % 3, 1, -1) * ball()["Normals"]
+        cloud.point_data.active_normals_name = "mixed"
+        found = cloud.winding.fix_orientation()
+        self.assertEqual(found.array_names, ["number", "mixed"])
+        self.assertEqual(found.point_data.active_normals_name, "mixed")
+        np.testing.assert_array_equal(found["mixed"], ball()["Normals"])
+        np.testing.assert_array_equal(found["number"], cloud["number"])
+        moved = cloud.copy()
+        moved.points += [3, 0, 0]
+        both = pv.MultiBlock([cloud, moved]).winding.fix_orientation()
+        np.testing.assert_array_equal(both["mixed"], np.tile(ball()["Normals"], (2, 1)))
+        np.testing.assert_array_equal(both["number"], np.tile(cloud["number"], 2))
+        np.testing.assert_array_equal(both.points, np.concatenate([cloud.points, moved.points]))
+        with self.assertRaisesRegex(vtkwinding.WindingError, "no normals to be turned: give"):
+            pv.PolyData(cloud.points).winding.fix_orientation()
 
     def test_areas(self):
         mesh = ball()
@@ -399,6 +474,13 @@ class AccessorTest(Warned):
         self.assertGreater(outward.min(), 0)
         self.assertRaisesRegex(ValueError, "normal_estimation", bare.winding.estimate_areas,
                                normal_estimation="best")
+        tetrahedron = pv.UnstructuredGrid(
+            np.array([4, 3, 1, 2, 0]), [10], [[0.0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 3]])
+        for cells in (tetrahedron, grid(4).cast_to_structured_grid(),
+                      pv.MultiBlock([mesh, grid(4).cast_to_unstructured_grid()])):
+            for method in ("mesh", "voronoi"):
+                self.assertRaisesRegex(vtkwinding.WindingError, "extract the surface first: the",
+                                       cells.winding.estimate_areas, method=method)
 
     def test_clouds(self):
         bare = pv.PolyData(ball().points)
@@ -474,13 +556,6 @@ class AccessorTest(Warned):
     def test_fractions_add_up_to_the_volume(self):
         mesh = ball()
         image = pv.ImageData(dimensions=(8, 9, 10), spacing=(0.2, 0.17, 0.15), origin=(-0.7,) * 3)
-        tetrahedron = pv.UnstructuredGrid(
-            np.array([4, 3, 1, 2, 0]), [10], [[0.0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 3]])
-        for cells in (tetrahedron, grid(4).cast_to_structured_grid(),
-                      pv.MultiBlock([mesh, grid(4).cast_to_unstructured_grid()])):
-            for method in ("mesh", "voronoi"):
-                self.assertRaisesRegex(vtkwinding.WindingError, "extract the surface first: the",
-                                       cells.winding.estimate_areas, method=method)
         grid = image.cast_to_unstructured_grid()
         voxels = grid.cell_connectivity.reshape(-1, 8)
         sets = pv.UnstructuredGrid(np.insert(voxels, 0, 8, axis=1).ravel(),
@@ -509,6 +584,11 @@ class AccessorTest(Warned):
         for block in (0, 1, 3):
             np.testing.assert_allclose(
                 blocks.winding.sample(mesh, fraction=True)[block]["Fraction"], expected, atol=1e-5)
+        blocks = pv.MultiBlock([pv.PointSet(ball().points), polyhedra, pv.PointSet(), image])
+        found = blocks.winding.sample(mesh, fraction=True)
+        self.assertEqual(found[0].cell_data["Fraction"].size, 0)
+        for block in (1, 3):
+            np.testing.assert_allclose(found[block]["Fraction"], expected, atol=1e-5)
         with self.assertWarnsRegex(vtkwinding.WindingWarning, "have no volume"):
             mesh.winding.sample(mesh, fraction=True)
         with self.assertWarnsRegex(vtkwinding.WindingWarning, "1 of 1 cells have curved faces"):
@@ -584,11 +664,6 @@ class AccessorTest(Warned):
             found = ball().winding.voxelize_binary_mask(reference_volume=image, coverage=coverage)
             self.assertTrue(least <= found["mask"].sum() <= most, coverage)
         near = ball().winding.field(reference_volume=image, signed_distance=True, distance_band=5)
-        blocks = pv.MultiBlock([pv.PointSet(ball().points), polyhedra, pv.PointSet(), image])
-        found = blocks.winding.sample(mesh, fraction=True)
-        self.assertEqual(found[0].cell_data["Fraction"].size, 0)
-        for block in (1, 3):
-            np.testing.assert_allclose(found[block]["Fraction"], expected, atol=1e-5)
         self.assertLess(near["SignedDistance"].min(), -0.2)
 
     def test_points_that_are_not_used_do_not_count(self):
@@ -641,6 +716,11 @@ class AccessorTest(Warned):
         mesh = ball() + pv.Line()
         self.assertRaisesRegex(vtkwinding.WindingWarning, "1 are left out", mesh.winding.field,
                                resolution=8)
+        for blocks in ([ball(), pv.Line()], [pv.Line(), ball()]):
+            blocks = pv.MultiBlock(blocks)
+            self.assertRaisesRegex(vtkwinding.WindingWarning, "1 are left out",
+                                   blocks.winding.field, resolution=8)
+            self.assertEqual(blocks.winding.report()["triangles"], ball().n_cells)
         cells = grid(5).cast_to_unstructured_grid() + ball().cast_to_unstructured_grid()
         self.assertRaisesRegex(vtkwinding.WindingWarning, "surface_cells=True",
                                cells.winding.field, resolution=8)
@@ -687,6 +767,39 @@ class BadInputTest(Warned):
         for bad in (grid(), pv.Table(np.zeros((3, 3)))):
             self.refuses(TypeError, "the mesh must be", bad.winding.field)
             self.refuses(TypeError, "the mesh must be", bad.winding.report)
+
+    def test_nothing_has_no_bounds(self):
+        warnings.simplefilter("ignore", vtkwinding.WindingWarning)
+        nothing = pv.PolyData()
+        self.refuses(vtkwinding.WindingError, "the input is empty, and has no bounds: give bounds",
+                     nothing.winding.field)
+        self.refuses(vtkwinding.WindingError, "the inputs are empty: give bounds",
+                     nothing.winding.boolean_union, nothing)
+        image = nothing.winding.field(bounds=(0, 1) * 3, resolution=4)
+        np.testing.assert_array_equal(image["WindingNumber"], np.zeros(64))
+
+    def test_places_without_points(self):
+        self.refuses(TypeError, "the mesh must have points, not be a Table",
+                     pv.Table(np.zeros((3, 3))).winding.sample, ball())
+        self.refuses(ValueError, "reference_volume must have cells, for association='cell'",
+                     ball().winding.field, association="cell",
+                     reference_volume=pv.ImageData(dimensions=(4, 4, 1)))
+        self.refuses(ValueError, "reference_volume must have points, and spacings of more than 0",
+                     ball().winding.field, reference_volume=pv.ImageData())
+
+    def test_regions_that_are_none(self):
+        mesh = ball()
+        mesh.cell_data["three"] = np.zeros((mesh.n_cells, 3), int)
+        self.refuses(ValueError, "scalars must have one component, not 3", mesh.winding.labels,
+                     scalars="three")
+        self.refuses(vtkwinding.WindingError, "there is no cell array 'none'", mesh.winding.labels,
+                     scalars="none")
+        self.refuses(TypeError, "scalars must be None for a MultiBlock, whose blocks are solids",
+                     pv.MultiBlock([mesh]).winding.labels, scalars="three")
+        plane = pv.Plane(i_resolution=256, j_resolution=256)
+        plane.cell_data["number"] = np.arange(plane.n_cells)
+        self.refuses(vtkwinding.WindingError, "there are 65536 solids, and labels are 1 to 65535: ",
+                     plane.winding.labels, scalars="number")
 
     def test_volume_meshes_count_by_their_outer_surface(self):
         volume = grid(9).cast_to_unstructured_grid()

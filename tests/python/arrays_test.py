@@ -354,6 +354,7 @@ class BadInputTest(unittest.TestCase):
         refuses(TypeError, "tolerance must be a number", tolerance="small")
         refuses(ValueError, "threshold must be finite", threshold=np.inf)
         refuses(ValueError, "rule must be one of", rule="even")
+        refuses(ValueError, "mirror must be without null characters", mirror="x=0\0")
         refuses(ValueError, "n_threads must be 1", n_threads=0)
         refuses(TypeError, "n_threads must be an int", n_threads=1.5)
         refuses(ValueError, "n_neighbors must be 3 to 1000", n_neighbors=2)
@@ -384,8 +385,10 @@ class BadInputTest(unittest.TestCase):
             cloud = winding_number(POINTS, CORNERS, CUBE, as_points=yes)
             np.testing.assert_array_equal(
                 cloud, winding_number(POINTS, CORNERS, CUBE, as_points=True))
-        self.assertEqual(field(CORNERS, CUBE, spacing=np.array(0.5), padding=0).values.shape,
-                         (2, 2, 2))
+        for grid in ({"spacing": np.array(0.5)}, {"resolution": np.array(2)},
+                     {"resolution": np.uint8(2)}, {"dimensions": np.array([2, 2, 2])},
+                     {"resolution": 2, "n_threads": np.array(1)}):
+            self.assertEqual(field(CORNERS, CUBE, padding=0, **grid).values.shape, (2, 2, 2))
 
     def test_grids(self):
         def refuses(kind, words, function=field, **grid):
@@ -398,6 +401,7 @@ class BadInputTest(unittest.TestCase):
         refuses(ValueError, "spacing must be one number or three", spacing=(1, 2))
         refuses(TypeError, "spacing", spacing="1")
         refuses(ValueError, "dimensions must", dimensions=(4, 4))
+        refuses(TypeError, "dimensions must be three ints, not int", dimensions=4)
         refuses(ValueError, r"dimensions\[2\] must be 1", dimensions=(4, 4, 0))
         refuses(ValueError, "bounds must be six", bounds=(0, 1))
         refuses(ValueError, "ymin below ymax", bounds=(0, 1, 1, 0, 0, 1))

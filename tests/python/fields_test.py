@@ -208,8 +208,13 @@ class FunctionsTest(unittest.TestCase):
         self.assertEqual(last.values[:, 0, 0].tolist(), [1, 1, 2, 2, 2, 2])
         again = vtkwinding.labels((f for f in (left, right)), spacing=0.25, padding=0)
         np.testing.assert_array_equal(again.values, first.values)
-        with self.assertRaisesRegex(TypeError, "list of Field"):
-            vtkwinding.labels([CORNERS])
+        for wrong in ([CORNERS], [], [left, CORNERS]):
+            with self.assertRaisesRegex(TypeError, "^fields must be a list of Field$"):
+                vtkwinding.labels(wrong)
+        with self.assertRaisesRegex(TypeError, "fields must be a list of Field, not a Field"):
+            vtkwinding.labels(left)
+        with self.assertRaisesRegex(ValueError, "fields must be 65535 or fewer, not 65536"):
+            vtkwinding.labels([left] * 65536)
 
     def test_fractions_of_cells(self):
         field = Field(CORNERS, CUBE)
@@ -239,8 +244,13 @@ class FunctionsTest(unittest.TestCase):
         self.assertTrue(np.isnan(found[0]))
         with self.assertRaisesRegex(TypeError, "types must be integers"):
             field.fractions(places, [10.5], [0, 1, 2, 3], [0, 4])
-        with self.assertRaisesRegex(ValueError, "types must be 0 to 255"):
-            field.fractions(places, [300], [0, 1, 2, 3], [0, 4])
+        for kind in (-1, 256, 300):
+            with self.assertRaisesRegex(ValueError, "types must be 0 to 255"):
+                field.fractions(places, [kind], [0, 1, 2, 3], [0, 4])
+        with self.assertRaisesRegex(vtkwinding.WindingError, "cell 0 has type 255, which has no"):
+            field.fractions(places, [255], [0, 1, 2, 3], [0, 4])
+        with self.assertWarnsRegex(vtkwinding.WindingWarning, "1 of 1 cells are empty"):
+            self.assertTrue(np.isnan(field.fractions(places, [0], [], [0, 0])[0]))
         with self.assertRaises(vtkwinding.WindingError):
             field.fractions(places, [10], [0, 1, 2, 3], [0, 5])
 
@@ -301,6 +311,8 @@ class FunctionsTest(unittest.TestCase):
             Field(SPHERE, estimate_normals=True, toward=[1, 2])
         np.testing.assert_allclose(
             vtkwinding.point_areas(SPHERE, SPHERE).sum(), 4 * np.pi, rtol=0.02)
+        with self.assertRaisesRegex(ValueError, r"normals must .* \(2000, 3\), not \(1999, 3\)"):
+            vtkwinding.point_areas(SPHERE, SPHERE[1:])
 
     def test_files(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -338,6 +350,8 @@ class FunctionsTest(unittest.TestCase):
             self.assertEqual(vtkwinding.report(vtkwinding.read(path))["non_finite"], 1)
             with self.assertRaisesRegex(ValueError, "null character"):
                 vtkwinding.read("points.xyz\0.ply")
+            with self.assertRaisesRegex(ValueError, "columns must be names without null character"):
+                vtkwinding.read(path, columns={"x": "a\0", "y": 2, "z": 3})
             path = pathlib.Path(folder, "empty.ply")
             path.write_text("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
                             "property float y\nproperty float z\nelement face 1\n"
