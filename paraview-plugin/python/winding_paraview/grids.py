@@ -59,6 +59,7 @@ class GridAlgorithm(SourceAlgorithm):
     def __init__(self, output_type, ports=1, outputs=1):
         super().__init__(nInputPorts=ports, nOutputPorts=outputs, outputType=output_type)
         self.grid = None
+        self.laid_out = None  # the grid of the request, of which others are moved
         self.request = None
         self.verification = None
         self._bounds = (None, None)
@@ -230,7 +231,8 @@ class GridAlgorithm(SourceAlgorithm):
         request.sampling_dimensions = (ctypes.c_int32 * 3)(*self.values["SamplingDimensions"])
         request.voxel_size = self.value("VoxelSize")
         request.resolution = self.value("Resolution")
-        self.request, self.grid = request, self._laid(request)
+        self.request, self.laid_out = request, self._laid(request)
+        self.grid = self.laid_out
 
     def _laid(self, request):
         grid = _library.Grid()
@@ -241,12 +243,12 @@ class GridAlgorithm(SourceAlgorithm):
         """The grid over the source as it is now, which may be that of another time."""
         bounds = self._bounds_of_grid(data, ranks)
         if bounds is None or list(self.request.sampling_bounds) == list(bounds):
-            return self.grid
+            return self.laid_out
         request = _library.GridRequest()
         request.sampling_bounds = (ctypes.c_double * 6)(*bounds)
         request.padding = self.value("Padding")
         request.cubic = not any(self.request.sampling_dimensions)
-        request.sampling_dimensions = self.grid.dimensions
+        request.sampling_dimensions = self.laid_out.dimensions
         return self._laid(request)
 
     def check_verification(self, has_values):
