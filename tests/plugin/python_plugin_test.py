@@ -163,6 +163,17 @@ with open(sys.argv[1], "w") as file:
         self.assertEqual(len(found[0]), 12)
         self.assertEqual(found[1], found[0])
 
+    def test_same_colors_of_winding_numbers(self):
+        found = [self.run_text(plugin, """
+colors = simple.GetColorTransferFunction("WindingNumber")
+print("fact", list(colors.RGBPoints), colors.ColorSpace, colors.AutomaticRescaleRangeMode,
+      colors.UseBelowRangeColor, colors.UseAboveRangeColor)
+""") for plugin in (self.cxx, self.python)]
+        facts = [[line for line in out.splitlines() if line.startswith("fact [-0.25, ")]
+                 for out in found]
+        self.assertEqual(len(facts[0]), 1, found)
+        self.assertEqual(facts[1], facts[0])
+
     def test_settings_of_inputs_are_seen_and_cleared(self):
         """Each call that changes something makes the filter newer."""
         out = self.run_text(self.python, """

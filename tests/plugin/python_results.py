@@ -72,8 +72,8 @@ def facts_of(data):
     return found
 
 
-def note(name, proxy):
-    """Executes a filter, and keeps its output, its information and what it says."""
+def note(name, proxy, time=None):
+    """Executes a filter at a time, and keeps its output, its information and what it says."""
     algorithm, told = proxy.GetClientSideObject(), []
 
     def hear(_object, _event, text):
@@ -82,7 +82,7 @@ def note(name, proxy):
     hear.CallDataType = "string0"
     for event in ("ErrorEvent", "WarningEvent"):
         algorithm.AddObserver(event, hear)
-    proxy.UpdatePipeline()
+    proxy.UpdatePipeline(time)
     proxy.UpdatePropertyInformation()
     information = {}
     for key in proxy.ListProperties():
@@ -184,6 +184,7 @@ def of_source(name, mesh, is_cloud):
     note(f"{name} field on a turned image", simple.WindingNumberField(
         Input=mesh, Like=turned_image(4), GenerateSignedDistance=1, Coverage="Half Inside"))
     note(f"{name} report", simple.SurfaceReport(Input=mesh))
+    note(f"{name} turned", simple.SurfaceReport(Input=mesh, FixOrientation=1, FaultThickness=0))
     note(f"{name} mirrored", simple.WindingNumberField(**grid, Mirror="x=0.1 1 1 0 = 3"))
     note(f"{name} mirrored on a turned image", simple.WindingNumberField(
         Input=mesh, Like=turned_image(4), Mirror="x=0.1", FlatBase="down", SheetSide="up"))
@@ -193,7 +194,6 @@ def of_source(name, mesh, is_cloud):
         note(f"{name} completed report", simple.SurfaceReport(Input=mesh, **completion))
         note(f"{name} divided", simple.WindingNumberField(
             **grid, SheetSide="-z", WeldTolerance=0.01))
-        note(f"{name} turned", simple.SurfaceReport(Input=mesh, FixOrientation=1, FaultThickness=0))
         note(f"{name} as points", simple.WindingNumberField(
             **grid, InputAsPoints=1, PointAreaMethod="Mesh", Regularization=1))
     note(f"{name} areas", simple.PointAreas(Input=mesh))
@@ -265,6 +265,10 @@ def of_times(folder):
     name = "swept labels that go"
     note(name, simple.WindingNumberLabels(Input=going, Resolution=10, UnionOverAllTimes=1))
     assert "Part 1" in facts[name]["information"]["LabelLegend"], facts[name]["information"]
+    changing = series_of([simple.Sphere(), simple.Box(XLength=3)], folder, ".changing.vtp")
+    surface = simple.WindingNumberSurface(Input=changing, Resolution=20, GenerateImage=1)
+    for time in (0, 1, 0):
+        note(f"image of a shape that changes, at {time}", surface, time)
     note("one grid for all times", simple.WindingNumberField(
         Input=moving, Resolution=20, BoundsOverAllTimes=1))
     for rule in ("Signed", "Absolute", "Odd"):
@@ -371,6 +375,8 @@ def run(folder):
         Input=group, Source=balls[0], ExtractInside=1, GenerateInside=1))
     note("cells as a source", simple.WindingNumberField(Input=cells, Resolution=20))
     note("refused", simple.WindingNumberField(Input=balls[0], Padding=-1))
+    note("refused with an image", simple.WindingNumberSurface(
+        Input=balls[0], Padding=-1, GenerateImage=1))
     note("too large", simple.WindingNumberField(Input=balls[0], VoxelSize=1e-12))
     note("nothing to do", simple.WindingNumberField(Input=balls[0], GenerateWindingNumber=0))
     note("one name for two", simple.WindingNumberField(

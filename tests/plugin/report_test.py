@@ -6,7 +6,8 @@ import unittest
 from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 
-from support import information, points_source, result, run_tests, unit_sphere, warnings_of
+from support import (errors_of, information, points_source, result, run_tests, sphere_points,
+                     unit_sphere, warnings_of)
 
 
 class TestSurfaceReport(unittest.TestCase):
@@ -97,6 +98,27 @@ class TestSurfaceReport(unittest.TestCase):
         self.assertEqual(self.count(data, "inverted_components"), 0)
         self.assertEqual(self.count(data, "flipped_triangles"), data.GetNumberOfPolys())
         self.assertGreater(self.count(data, "volume"), 0)
+
+    def test_normals_of_clouds_are_turned_on_request(self):
+        with sphere_points(500, True) as cloud:
+            # Those of the upper half look inward.
+            turned = simple.Calculator(Input=cloud, ResultArrayName="Directions",
+                                       Function="if(coordsZ > 0, -Normals, Normals)")
+            report = simple.SurfaceReport(
+                Input=turned, NormalsArray="Directions", FixOrientation=1)
+            data = result(report)
+            self.assertEqual(self.count(data, "flipped_normals"), 250)
+            self.assertEqual(self.count(data, "outward_share"), 1)
+            found = data.GetPointData().GetArray("Directions")
+            for index in range(500):
+                for one, other in zip(found.GetTuple3(index), data.GetPoint(index)):
+                    self.assertAlmostEqual(one, other, places=5)
+        with sphere_points(10, False) as cloud:
+            report = simple.SurfaceReport(Input=cloud, FixOrientation=1)
+            errors = errors_of(report)
+            report.UpdatePipeline()
+            self.assertEqual(len(errors), 1)
+            self.assertIn("no normals to be turned: use Fix Orientation off", errors[0])
 
 
 if __name__ == "__main__":
