@@ -416,8 +416,10 @@ def _without_seams(mesh, surface):
     rest = np.ones(surface.GetNumberOfCells(), bool)
     rest[before:before + len(sizes)] = are_kept
     ids = _datasets.ids_of(mesh, np.flatnonzero(rest))
-    made.GetCellData().CopyAllocate(surface.GetCellData(), ids.GetNumberOfIds())
-    made.GetCellData().CopyData(surface.GetCellData(), ids)
+    count = ids.GetNumberOfIds()
+    made.GetCellData().CopyAllocate(surface.GetCellData(), count)
+    made.GetCellData().CopyData(
+        surface.GetCellData(), ids, _datasets.ids_of(mesh, np.arange(count)))
     return made
 
 

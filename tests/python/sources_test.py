@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkIdList, vtkIntArray, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
     vtkGenericCell,
@@ -104,6 +104,31 @@ def mixed():
     return made
 
 
+# Another order of the corners of a cell that goes round as before.
+TURNS = {10: (1, 2, 0, 3), 12: (1, 2, 3, 0, 5, 6, 7, 4), 13: (1, 2, 0, 4, 5, 3),
+         14: (1, 2, 3, 0, 4)}
+
+
+def pieces(grid, copies=1):
+    """The cells of a grid with points of their own, which begin at several corners."""
+    points, made, numbers = vtkPoints(), vtkUnstructuredGrid(), vtkIntArray()
+    points.SetDataTypeToDouble()
+    made.SetPoints(points)
+    numbers.SetName("number")
+    for number in range(grid.GetNumberOfCells()):
+        cell = grid.GetCell(number)
+        ids = [cell.GetPointId(i) for i in range(cell.GetNumberOfPoints())]
+        for turn in range(number % 4):
+            ids = [ids[i] for i in TURNS.get(cell.GetCellType(), range(len(ids)))]
+        for _ in range(copies):
+            zero = -0.0 if number % 2 else 0.0
+            own = [points.InsertNextPoint([x or zero for x in grid.GetPoint(i)]) for i in ids]
+            made.InsertNextCell(cell.GetCellType(), len(own), own)
+            numbers.InsertNextValue(number)
+    made.GetCellData().AddArray(numbers)
+    return made
+
+
 def polyhedron():
     """A prism over an L, as one polyhedron: its middle lies outside."""
     corners = [(0, 0), (2, 0), (2, 0.4), (0.4, 0.4), (0.4, 2), (0, 2)]
@@ -156,6 +181,8 @@ def sources():
     yield from (("ball", ball()), ("strips", strips()), ("mixed", mixed()), ("blocks", blocks()),
                 ("structured", structured(False)), ("mirrored", structured(True)),
                 ("polyhedron", polyhedron()), ("cells 25 shell", shell()))
+    for kind in STRAIGHT:
+        yield f"pieces {kind}", pieces(cells(kind, False))
 
 
 def field_of(data):
@@ -208,6 +235,31 @@ class SourcesTest(unittest.TestCase):
                     value = expected.GetArray(count).GetTuple1(0)
                     self.assertEqual(found[count], value, count)
                 self.assertAlmostEqual(found["volume"], expected.GetArray("volume").GetTuple1(0))
+
+    def test_faces_between_pieces_are_left_out(self):
+        for kind in STRAIGHT:
+            with self.subTest(kind):
+                whole = cells(kind, False)
+                numbers = numpy_to_vtk(np.arange(whole.GetNumberOfCells()), 1)
+                numbers.SetName("number")
+                whole.GetCellData().AddArray(numbers)
+                expected = _sources.source_of(whole).leaves[0]
+                found = _sources.source_of(pieces(whole)).leaves[0]
+                self.assertEqual(sorted(found.cell_array("number").tolist()),
+                                 sorted(expected.cell_array("number").tolist()))
+                report = fields.report_of(
+                    found.points, _sources._library.polygons_of(found.corners, found.offsets), None)
+                self.assertEqual(report["closed"], 1)
+                self.assertAlmostEqual(report["volume"], 8)
+                # What is there twice in one sense is no seam.
+                twice = _sources.source_of(pieces(whole, 2)).leaves[0]
+                self.assertEqual(twice.polygon_count, 2 * found.polygon_count)
+        sheet = vtkUnstructuredGrid()
+        sheet.SetPoints(cells(12, False).GetPoints())
+        sheet.Allocate(2)
+        sheet.InsertNextCell(9, 4, [0, 1, 4, 3])
+        sheet.InsertNextCell(9, 4, [3, 4, 1, 0])
+        self.assertEqual(_sources.source_of(pieces(sheet)).leaves[0].polygon_count, 2)
 
     def test_what_is_left_out_is_noted(self):
         notes = _sources.source_of(mixed()).notes
