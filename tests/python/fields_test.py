@@ -381,6 +381,17 @@ class ModuleTest(unittest.TestCase):
         run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
         self.assertEqual(run.stdout, "[ True]\n", run.stderr)
 
+    def test_libraries_that_do_not_fit_are_named(self):
+        for body, words in (
+                ("def __init__(self, path): raise OSError('it is gone')",
+                 r"ImportError: vtkwinding has no library at \S+ \(it is gone\)\n$"),
+                ("def __init__(self, path): self.winding_abi = lambda: 0",
+                 r"ImportError: the library \S+ has another interface than this vtkwinding needs")):
+            code = (f"import ctypes\nclass Library:\n    {body}\n"
+                    "ctypes.CDLL = Library\nimport vtkwinding")
+            run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+            self.assertRegex(run.stderr, words)
+
 
 if __name__ == "__main__":
     unittest.main()

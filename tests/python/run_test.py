@@ -53,6 +53,44 @@ class ErrorTest(unittest.TestCase):
             self.assertIsInstance(caught.exception, RuntimeError)
             self.assertRegex(str(caught.exception), r"^not enough memory: choose larger voxels .*[^\n]$")
 
+    def test_each_status_of_the_library_is_raised(self):
+        class Library:
+            """One whose functions all end with a status and a text."""
+
+            def __getattr__(self, name):
+                def function(*arguments):
+                    arguments[-1]._obj.text = b"no room"
+                    return status
+
+                return getattr(before, name) if name.endswith("_init") else function
+
+        before = _library._library
+        self.addCleanup(setattr, _library, "_library", before)
+        voxels = "no room: choose larger voxels (resolution=, spacing=)"
+        panel = "no room: choose larger voxels (Resolution, Voxel Size)"
+        for status, name, words, kind, text in (
+                (_library.REFUSED, "winding_boolean", 1, vtkwinding.WindingError, "no room"),
+                (_library.INTERRUPTED, "winding_boolean", 1, _library.WindingInterrupted,
+                 "winding_boolean was interrupted"),
+                (_library.NO_MEMORY, "winding_boolean", 1, _library.WindingMemoryError, voxels),
+                (_library.NO_MEMORY, "winding_label", 1, _library.WindingMemoryError, voxels),
+                (_library.NO_MEMORY, "winding_level_surface", 2, _library.WindingMemoryError,
+                 panel),
+                (_library.NO_MEMORY, "winding_evaluate_grid", 2, _library.WindingMemoryError,
+                 panel),
+                (_library.NO_MEMORY, "winding_faces", 1, _library.WindingMemoryError, "no room"),
+                (_library.MISUSED, "winding_label", 1, vtkwinding.WindingError,
+                 "winding_label: no room (status 4)"),
+                (_library.FAILED, "winding_faces", 1, vtkwinding.WindingError,
+                 "winding_faces: no room (status 5)")):
+            with self.subTest(status=status, name=name):
+                _library._library = Library()
+                with self.assertRaises(kind) as caught:
+                    _library.call(name, words=words)
+                _library._library = before
+                self.assertIs(type(caught.exception), kind)
+                self.assertEqual(str(caught.exception), text)
+
     def test_warnings_are_those_of_the_caller(self):
         with warnings.catch_warnings(record=True) as notes:
             warnings.simplefilter("always")
