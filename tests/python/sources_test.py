@@ -3,6 +3,7 @@
 """Data objects of VTK as sources of the library, and parts of them: the same as by the filters."""
 
 import unittest
+import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -260,6 +261,14 @@ class SourcesTest(unittest.TestCase):
         sheet.InsertNextCell(9, 4, [0, 1, 4, 3])
         sheet.InsertNextCell(9, 4, [3, 4, 1, 0])
         self.assertEqual(_sources.source_of(pieces(sheet)).leaves[0].polygon_count, 2)
+
+    def test_curved_cells_without_area_warn_of_nothing(self):
+        grid = cells(24, False)
+        places = vtk_to_numpy(grid.GetPoints().GetData())
+        places[_datasets.cells_of(grid, grid.GetCells())[0][:10]] = 0
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            _sources.source_of(grid)
 
     def test_what_is_left_out_is_noted(self):
         notes = _sources.source_of(mixed()).notes
