@@ -58,8 +58,6 @@ class PointAreas(Algorithm):
         self.estimation = ""
         with self.reporting(output):
             self.check()
-            if self.values["PointAreaMethod"] > CONSTANT_AREA:
-                raise WindingError("Point Area Method is 3; it must be Voronoi, Mesh or Constant")
             _copy(vtkDataObject.GetData(inputs[0]), output)
             self._add(output)
         return 1
