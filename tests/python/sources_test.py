@@ -262,6 +262,17 @@ class SourcesTest(unittest.TestCase):
         sheet.InsertNextCell(9, 4, [3, 4, 1, 0])
         self.assertEqual(_sources.source_of(pieces(sheet)).leaves[0].polygon_count, 2)
 
+    def test_curved_faces_are_divided_as_far_as_they_need(self):
+        """Each level has four polygons for one of the level before."""
+        for bend, level in ((0, 0), (0.01, 1), (0.1, 2)):
+            for kind, count in ((24, 192), (25, 144), (26, 160), (27, 144)):
+                with self.subTest(bend=bend, kind=kind):
+                    grid = cells(kind, False)
+                    places = vtk_to_numpy(grid.GetPoints().GetData())
+                    places[:, 0] *= (1 + bend * places[:, 1]**2) / (1 + 0.1 * places[:, 1]**2)
+                    leaf = _sources.source_of(grid).leaves[0]
+                    self.assertEqual(leaf.polygon_count, count * 4**level)
+
     def test_curved_cells_without_area_warn_of_nothing(self):
         grid = cells(24, False)
         places = vtk_to_numpy(grid.GetPoints().GetData())
