@@ -3,6 +3,7 @@
 """mesh.winding: what PyVista's own methods give, for meshes that those refuse, too."""
 
 import inspect
+import io
 import pathlib
 import re
 import subprocess
@@ -745,7 +746,7 @@ class AccessorTest(Warned):
 
     def test_progress_bars(self):
         try:
-            import tqdm  # noqa: F401
+            import tqdm
         except ImportError:
             self.skipTest("there is no tqdm")
         for method, arguments, options in (
@@ -753,7 +754,28 @@ class AccessorTest(Warned):
                 ("voxelize_binary_mask", (), {}), ("select_interior_points", (ball(),), {}),
                 ("report", (), {}), ("estimate_areas", (), {})):
             with self.subTest(method):
-                getattr(ball().winding, method)(*arguments, progress_bar=True, **options)
+                bars = []
+
+                class Bar(tqdm.tqdm):
+                    def __init__(self, *arguments, **settings):
+                        super().__init__(*arguments, file=io.StringIO(), **settings)
+                        bars.append([])
+
+                    def update(self, share=1):
+                        bars[-1].append(share)
+                        return super().update(share)
+
+                with mock.patch.object(tqdm, "tqdm", Bar):
+                    getattr(ball().winding, method)(*arguments, progress_bar=True, **options)
+                for shares in bars:
+                    self.assertAlmostEqual(sum(shares), 1)
+                    self.assertGreaterEqual(min(shares), 0)
+                self.assertEqual(len(bars), 1)
+
+    def test_bars_need_tqdm(self):
+        with mock.patch.dict(sys.modules, {"tqdm": None}):
+            self.assertRaisesRegex(ImportError, "install tqdm to see a progress bar",
+                                   ball().winding.report, progress_bar=True)
 
 
 class BadInputTest(Warned):
