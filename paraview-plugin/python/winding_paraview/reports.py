@@ -315,7 +315,9 @@ def _with_polygons(leaf, are_turned, are_kept):
         ids = vtkIdList()
         for cell in [*range(before), *(before + np.flatnonzero(are_kept)).tolist()]:
             ids.InsertNextId(cell)
-        copy.GetCellData().CopyAllocate(data.GetCellData())
+        # Arrays that are there would keep their length.
+        copy.GetCellData().Initialize()
+        copy.GetCellData().CopyAllocate(data.GetCellData(), ids.GetNumberOfIds())
         copy.GetCellData().CopyData(data.GetCellData(), ids, _sequence(ids.GetNumberOfIds()))
     return copy
 
