@@ -169,9 +169,10 @@ class ProbeAlgorithm(SourceAlgorithm):
         low, high = np.array(info.bounds[::2]), np.array(info.bounds[1::2])
         if ((places >= low) & (places <= high)).all(axis=1).sum() >= _MANY:
             lower = self.values["InsideRule"] != 2 and self.values["WindingThreshold"] > 0.5
-            self.warn("no sample is inside: " + ("lower the threshold (Winding Threshold), or " if (
-                lower) else "") + "look whether the source is closed (Surface Report); 100 or more "
-                "lie within the bounds of the source")
+            self.warn("no sample is inside: " + (
+                "choose a lower threshold (Winding Threshold), or " if lower else "") +
+                "look whether the source is closed (Surface Report); 100 or more lie within the "
+                "bounds of the source")
 
     def places_on_grid(self, image):
         """The samples of an image, in the coordinates of the field."""

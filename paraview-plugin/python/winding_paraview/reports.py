@@ -99,6 +99,9 @@ class SurfaceReport(Algorithm):
         if ranks.are_alone and piece:
             return 1
         with self.reporting(output):
+            thickness = self.values["FaultThickness"]
+            if not 0 <= thickness <= 1:
+                raise WindingError(f"Fault Thickness is {thickness:g}; it must be 0 to 1")
             self.check()
             if self.values["FixOrientation"] and not ranks.are_alone:
                 raise WindingError("one rank has not all faces to turn: use Fix Orientation off; "
@@ -238,16 +241,13 @@ class SurfaceReport(Algorithm):
         return leaves, {"flipped_normals": int(turned.sum())}
 
     def _add_faults(self, parts, is_double, faults):
-        thickness = self.value("FaultThickness")
-        if not 0 <= thickness <= 1:
-            raise WindingError(f"Fault Thickness is {thickness:g}; it must be 0 to 1")
         points = np.ascontiguousarray(parts.points)
         polygons = polygons_of(parts.corners, parts.offsets)
         bounds = parts.bounds()
         # As the plugin in C++ sums: numpy.linalg.norm() gives other bits on some machines.
         x, y, z = (0, 0, 0) if bounds is None else (
             float(high) - float(low) for low, high in zip(bounds[::2], bounds[1::2]))
-        radius = thickness * math.sqrt(x * x + y * y + z * z)
+        radius = self.value("FaultThickness") * math.sqrt(x * x + y * y + z * z)
         for place, (name, fault) in enumerate(_FAULTS):
             handle = _library.Handle("winding_mesh_free")
             self.call("winding_faults", _library.array_of(points), ctypes.byref(polygons), fault,
@@ -354,5 +354,5 @@ def _as_polydata(cloud):
 
 def _has_only_lines(data):
     leaves = [leaf for _, leaf in _datasets.leaves_of(data) if leaf.IsA("vtkPointSet")]
-    return bool(leaves) and all(
-        leaf.GetNumberOfPoints() == 0 or _datasets.is_of_lines(leaf) for leaf in leaves)
+    leaves = [leaf for leaf in leaves if leaf.GetNumberOfPoints()]
+    return bool(leaves) and all(_datasets.is_of_lines(leaf) for leaf in leaves)
