@@ -5,8 +5,9 @@ import math
 import unittest
 
 from paraview import simple
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from support import points_source, result, run_tests, unit_sphere
+from support import information, points_source, result, run_tests, unit_sphere
 
 
 class TestProbe(unittest.TestCase):
@@ -27,6 +28,27 @@ class TestProbe(unittest.TestCase):
         values = result(probe).GetCellData().GetArray("WindingNumber")
         rounded = sorted(round(values.GetTuple1(i), 5) for i in range(values.GetNumberOfTuples()))
         self.assertEqual(rounded, [0, 0, 1, 1, 1, 1])
+
+    def test_threshold_keeps_the_field_along_the_axes_of_an_image(self):
+        def turned(start):
+            image = vtkImageData()
+            image.SetDimensions(9, 9, 9)
+            image.SetSpacing(0.25, 0.25, 0.25)
+            image.SetOrigin(start, 0, 0)
+            image.SetDirectionMatrix(0.8, 0.6, 0, -0.6, 0.8, 0, 0, 0, 1)
+            producer = simple.TrivialProducer()
+            producer.GetClientSideObject().SetOutput(image)
+            return producer
+
+        probe = simple.WindingNumberProbe(Input=turned(0), Source=unit_sphere(), GenerateInside=1)
+        probe.UpdatePipeline()
+        self.assertGreater(information(probe, "PrepareSeconds"), 0)
+        probe.WindingThreshold = 0.25
+        probe.UpdatePipeline()
+        self.assertEqual(information(probe, "PrepareSeconds"), 0)
+        probe.Input = turned(0.125)
+        probe.UpdatePipeline()
+        self.assertGreater(information(probe, "PrepareSeconds"), 0)
 
     def test_composite_input_keeps_its_blocks(self):
         blocks = simple.GroupDatasets(

@@ -174,6 +174,14 @@ print("fact", list(colors.RGBPoints), colors.ColorSpace, colors.AutomaticRescale
         self.assertEqual(len(facts[0]), 1, found)
         self.assertEqual(facts[1], facts[0])
 
+    def test_memory_in_words(self):
+        out = self.run_text(self.python, """
+from winding_paraview.algorithm import words_of_memory
+print("fact", [words_of_memory(count) for count in (
+    0, 12.5 * 2**20, 999 * 2**20, 1000 * 2**20, 2**30, 317 * 2**30)])
+""")
+        self.assertIn("fact ['0 MiB', '12.5 MiB', '999 MiB', '0.977 GiB', '1 GiB', '317 GiB']", out)
+
     def test_settings_of_inputs_are_seen_and_cleared(self):
         """Each call that changes something makes the filter newer."""
         out = self.run_text(self.python, """
