@@ -321,6 +321,10 @@ def of_files(folder):
             file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + others +
                        "g left\nf 1 2 3\ng right\nf 3 2 1\nf 1 2 3\n")
         note(f"groups and {name}", opened(path))
+    path = os.path.join(folder, "flat.obj")
+    with open(path, "w", encoding="ascii") as file:
+        file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 2 2\nv 3 3 3\nf 1 2 3\nf 4 4 5\n")
+    note("areas of points of faces without area", simple.PointAreas(Input=opened(path)))
 
 
 def of_changes():

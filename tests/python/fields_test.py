@@ -277,6 +277,18 @@ class FunctionsTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "operation must be one of union, intersection"):
             vtkwinding.boolean(cubes, "sum")
 
+    def test_nothing_has_the_grid_of_a_unit_cube(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", vtkwinding.WindingWarning)
+            nothing = [Field([], []), Field([], [])]
+            for grid in (vtkwinding.labels(nothing, resolution=4, padding=0),
+                         nothing[0].field(resolution=4, padding=0)):
+                np.testing.assert_array_equal(grid.values, np.zeros((4, 4, 4)))
+                np.testing.assert_allclose(grid.origin, [0.125] * 3)
+            for operation in ("union", "intersection", "difference", "xor"):
+                points, triangles = vtkwinding.boolean(nothing, operation, resolution=4)
+                self.assertEqual((points.shape, triangles.shape), ((0, 3), (0, 3)))
+
     def test_report_and_orientation(self):
         faces = CUBE.copy()
         faces[3] = faces[3, ::-1]
