@@ -289,6 +289,12 @@ class SourcesTest(unittest.TestCase):
         chosen = _sources.source_of(mixed(), surface_cells=True)
         self.assertEqual(len(chosen.offsets) - 1, 1)
 
+    def test_types_of_no_cells_are_passed_over(self):
+        grid, more = cells(12, False), vtkUnstructuredGrid()
+        more.SetPoints(grid.GetPoints())
+        more.SetCells(numpy_to_vtk(np.array([12] * 8 + [10, 250], np.uint8), 1), grid.GetCells())
+        self.assertEqual(_sources.source_of(more).leaves[0].polygon_count, 24)
+
     def test_contradicting_data_is_refused(self):
         for spoil, words in (
                 (lambda grid: grid.GetCells().InsertNextCell(1, [0]), "types for"),
