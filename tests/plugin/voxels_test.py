@@ -6,7 +6,7 @@ import unittest
 
 from paraview import simple
 
-from support import result, run_tests, unit_sphere, volume_of
+from support import errors_of, result, run_tests, unit_sphere, volume_of
 
 
 class TestVoxels(unittest.TestCase):
@@ -52,6 +52,19 @@ class TestVoxels(unittest.TestCase):
         surface = result(voxels)
         self.assertLess(volume_of(surface), volumes[0])
         self.assertGreaterEqual(surface.GetCellData().GetArray("Coverage").GetRange()[0], 0.9)
+
+    def test_labels_are_integers_of_0_to_65535(self):
+        field = simple.WindingNumberField(Input=unit_sphere(), Resolution=8)
+        for factor, wrong in ((-1, "-1.000000"), (65536, "65536.000000"), (0.5, "0.500000")):
+            scaled = simple.Calculator(Input=field, ResultArrayName="scaled",
+                                       Function=f"{factor} * round(WindingNumber)")
+            voxels = simple.WindingNumberVoxels(
+                Input=scaled, Scalars=["POINTS", "scaled"], ByLabel="On")
+            errors = errors_of(voxels)
+            voxels.UpdatePipeline()
+            self.assertEqual(len(errors), 1)
+            self.assertIn(f"labels are integers from 0 to 65535, and it has the value {wrong}",
+                          errors[0])
 
 
 if __name__ == "__main__":
