@@ -82,6 +82,9 @@ class TestSurfaceReport(unittest.TestCase):
         self.assertGreater(width, 0.5)  # half a sphere of radius 0.5 has a hole of 0.7
         self.assertEqual(faults["Boundary"].GetCellData().GetArray("SlitWidth").GetTuple1(0), width)
         edges = self.count(result(report), "boundary_edges")
+        for name, value in (("Edges", edges), ("Loop", 0), ("Multiplicity", 1)):
+            array = faults["Boundary"].GetCellData().GetArray(name)
+            self.assertEqual((array.GetNumberOfTuples(), array.GetTuple1(0)), (1, value), name)
         self.assertEqual(faults["Caps"].GetNumberOfPolys(), edges - 2)
         self.assertGreater(information(report, "FractionalShare"), 0.1)
 

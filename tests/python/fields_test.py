@@ -288,6 +288,9 @@ class FunctionsTest(unittest.TestCase):
             for operation in ("union", "intersection", "difference", "xor"):
                 points, triangles = vtkwinding.boolean(nothing, operation, resolution=4)
                 self.assertEqual((points.shape, triangles.shape), ((0, 3), (0, 3)))
+                self.assertEqual(points.dtype, np.float32)
+            points, _ = vtkwinding.boolean(nothing, resolution=4, dtype=float)
+            self.assertEqual(points.dtype, np.float64)
 
     def test_report_and_orientation(self):
         faces = CUBE.copy()
