@@ -120,6 +120,12 @@ class AccessorTest(Warned):
         self.assertEqual(image.dimensions, (16, 16, 16))
         self.assertEqual(set(np.unique(image["WindingNumber"])), {0, 1})
         np.testing.assert_array_equal(image["Inside"] == 1, image["SignedDistance"] < 0)
+        box = pv.Box(bounds=(0, 4, 0, 2, 0, 1)).triangulate()
+        for association, margin in (("point", 0.125), ("cell", 0)):
+            image = box.winding.field(resolution=16, padding=0, association=association)
+            np.testing.assert_allclose(image.spacing, [0.25] * 3, rtol=1e-12)
+            np.testing.assert_allclose(
+                image.bounds, [margin, 4 - margin, margin, 2 - margin, margin, 1 - margin])
         cells = ball().winding.field(spacing=(0.1, 0.2, 0.25), association="cell")
         self.assertEqual(cells.cell_data.keys(), ["WindingNumber"])
         np.testing.assert_allclose(cells.spacing, (0.1, 0.2, 0.25), rtol=1e-12)
