@@ -200,6 +200,7 @@ vtkWindingNumberGridAlgorithm::Times vtkWindingNumberGridAlgorithm::GetTimes()
       times.isContinuous || (count == 0 && produced->Has(Pipeline::TIME_RANGE()));
     moving = moving || count == 0 ? moving : produced;
     times.hash.addValue(reinterpret_cast<std::uintptr_t>(producer));
+    times.hash.addValue(connection->GetIndex());
     times.hash.addValue(
       vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive())->GetPipelineMTime());
   }

@@ -6,6 +6,9 @@
 #include "vtkContourFilter.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkSurfaceReport.h"
@@ -203,6 +206,62 @@ TEST_F(Time, BoundsOverAllTimesFollowTheOperation)
   EXPECT_NEAR(widthFor(vtkWindingNumberBoolean::INTERSECTION), all, 0.01);
   solids->ClearOperandThresholds();
   EXPECT_NEAR(widthFor(vtkWindingNumberBoolean::INTERSECTION), moving, 0.01);
+}
+
+/// Two outputs of one filter: a sphere of radius 1 that moves, and one of radius 5.
+class TwoSpheres : public vtkPolyDataAlgorithm
+{
+public:
+  static TwoSpheres* New() { VTK_STANDARD_NEW_BODY(TwoSpheres); }
+  vtkTypeMacro(TwoSpheres, vtkPolyDataAlgorithm);
+
+protected:
+  TwoSpheres()
+  {
+    this->SetNumberOfInputPorts(0);
+    this->SetNumberOfOutputPorts(2);
+  }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    const double times[2] = {0, 1};
+    for (int port = 0; port < 2; ++port)
+    {
+      vtkInformation* info = outputs->GetInformationObject(port);
+      info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times, 2);
+      info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), times, 2);
+    }
+    return 1;
+  }
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    for (int port = 0; port < 2; ++port)
+    {
+      vtkNew<vtkSphereSource> made;
+      made->SetRadius(port == 0 ? 1 : 5);
+      made->Update();
+      vtkPolyData::GetData(outputs, port)->ShallowCopy(made->GetOutput());
+    }
+    return 1;
+  }
+};
+
+TEST_F(Time, BoundsOverAllTimesFollowAnotherOutputOfTheSource)
+{
+  vtkNew<TwoSpheres> source;
+  vtkNew<vtkWindingNumberField> field;
+  field->BoundsOverAllTimesOn();
+  field->SetPadding(0);
+  field->SetResolution(20);
+  for (const auto& [port, width] : {std::pair(0, 2.0), {1, 10.0}, {0, 2.0}})
+  {
+    field->SetInputConnection(source->GetOutputPort(port));
+    field->Update();
+    const double* const bounds = field->GetOutput()->GetBounds();
+    EXPECT_NEAR(bounds[5] - bounds[4], width, 0.051 * width) << port;
+  }
 }
 
 /// The grid reaches beyond the bounds of all times by the offset.

@@ -149,7 +149,7 @@ class GridAlgorithm(SourceAlgorithm):
             own = produced.Get(Pipeline.TIME_STEPS()) or ()
             times.update(own)
             moving = produced if moving is None and own else moving
-            key.append((producer.GetAddressAsString(""),
+            key.append((producer.GetAddressAsString(""), connection.GetIndex(),
                         producer.GetExecutive().GetPipelineMTime()))
         has_time = moving is not None and moving.Has(Pipeline.UPDATE_TIME_STEP())
         current = moving.Get(Pipeline.UPDATE_TIME_STEP()) if has_time else min(times, default=0)
