@@ -295,6 +295,16 @@ def of_times(folder):
         note(f"image of a shape that changes, at {time}", surface, time)
     note("one grid for all times", simple.WindingNumberField(
         Input=moving, Resolution=20, BoundsOverAllTimes=1))
+    around = simple.Sphere(Radius=5)
+    solids = simple.WindingNumberBoolean(Input=moving, Others=around, Resolution=20,
+                                         BoundsOverAllTimes=1)
+    widths = []
+    for operation in ("Difference", "Union", "Intersection"):
+        solids.Operation = operation
+        note(f"one grid for all times of a {operation}", solids)
+        low, high = solids.GetDataInformation().GetBounds()[:2]
+        widths.append(high - low)
+    assert widths[1] > 9.9 > 4 > max(widths[0], widths[2]), widths
     for rule in ("Signed", "Absolute", "Odd"):
         note(f"swept volume, {rule}", simple.WindingNumberField(
             Input=moving, Resolution=20, UnionOverAllTimes=1, GenerateInside=1, InsideRule=rule,

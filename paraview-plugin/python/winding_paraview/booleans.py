@@ -19,6 +19,8 @@ from .ranks import Ranks
 from .sources import ask_for_part, blocks_with_names, named_blocks
 from .surfaces import SurfaceAlgorithm
 
+_ANY_OTHER = -1  # operand without a threshold or rule of its own
+
 
 @declared
 class WindingNumberBoolean(SurfaceAlgorithm):
@@ -97,10 +99,17 @@ class WindingNumberBoolean(SurfaceAlgorithm):
         """The box of what the result can reach, or None."""
         boxes = [super(WindingNumberBoolean, self).bounds_of_source(data.GetBlock(index), ranks)
                  for index in range(data.GetNumberOfBlocks())]
-        rules = [self._rule_of(index) for index in range(len(boxes))]
-        return reach_of(boxes, self.value("Operation"), [
-            reaches_beyond(rule.inside_rule, rule.winding_threshold, self.values["SheetSide"])
-            for rule in rules])
+        return reach_of(boxes, self.value("Operation"),
+                        [self._reaches_beyond(index) for index in range(len(boxes))])
+
+    def bounds_key(self):
+        operands = sorted({_ANY_OTHER, *self.thresholds, *self.rules})
+        return (*super().bounds_key(), self.value("Operation"),
+                [(operand, self._reaches_beyond(operand)) for operand in operands])
+
+    def _reaches_beyond(self, operand):
+        rule = self._rule_of(operand)
+        return reaches_beyond(rule.inside_rule, rule.winding_threshold, self.values["SheetSide"])
 
     def _rule_of(self, operand):
         rule = self.rules.get(operand, self.value("InsideRule"))

@@ -114,6 +114,10 @@ class GridAlgorithm(SourceAlgorithm):
         if not producer.Update(port, requests):
             raise WindingError(_FIRST)
 
+    def bounds_key(self):
+        """What bounds_of_source() depends on, except the source itself."""
+        return self.key_of(None)[1:]
+
     def bounds_of_source(self, data, ranks):
         """The box of the source on all ranks, or None."""
         key = self.key_of(data)
@@ -190,7 +194,7 @@ class GridAlgorithm(SourceAlgorithm):
         if not (self.values["UseInputBounds"] and is_asked and times):
             self._bounds_of_times = (None, None)
             return
-        key = (key, *self.key_of(None)[1:])
+        key = (key, self.bounds_key())
         if self._bounds_of_times[0] == key:
             return
         boxes = [self.bounds_of_source(self.source(), ranks)
