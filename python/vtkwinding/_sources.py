@@ -136,14 +136,12 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
     """
     leaves, loose, left_out, turned = [], 0, 0, 0
     is_surface = None
-    to_read, of_lines = [], []
-    for name, leaf in _datasets.leaves_of(data):
-        (of_lines if _datasets.is_of_lines(leaf) else to_read).append((name, leaf))
-    if any(leaf.IsA("vtkPointSet") and _datasets.has_faces(leaf) for _, leaf in to_read) and (
-            not as_points):
-        loose = sum(leaf.GetNumberOfCells() for _, leaf in of_lines)
-    else:
-        to_read += of_lines
+    to_read = list(_datasets.leaves_of(data))
+    if not as_points and any(
+            leaf.IsA("vtkPointSet") and _datasets.has_faces(leaf) for _, leaf in to_read):
+        of_lines = {name for name, leaf in to_read if _datasets.is_of_lines(leaf)}
+        loose = sum(leaf.GetNumberOfCells() for name, leaf in to_read if name in of_lines)
+        to_read = [(name, leaf) for name, leaf in to_read if name not in of_lines]
     for name, leaf in to_read:
         if not leaf.IsA("vtkPointSet"):
             raise WindingError(f"{name} is a {leaf.GetClassName()}, no surface or points: extract a "

@@ -780,11 +780,12 @@ class WindingAccessor:
         """
         number = _options.choice("method", method, _options.AREA_METHODS)
         source = _source(self._mesh, as_points=True, normals_array=normals_array)
-        if any(not isinstance(leaf, pv.PolyData) and _datasets.has_faces(leaf)
-               for leaf in _leaves(self._mesh)) or any(
-                   leaf.data.GetNumberOfPoints() != len(leaf.points) for leaf in source.leaves):
+        leaves = [leaf for leaf in _leaves(self._mesh) if leaf.n_points]
+        if any(not isinstance(leaf, pv.PolyData) and _datasets.has_faces(leaf) for leaf in leaves):
             raise WindingError("extract the surface first: the points of its outer surface are "
                                "not the points of the mesh")
+        if [leaf.n_points for leaf in leaves] != [len(leaf.points) for leaf in source.leaves]:
+            raise WindingError("remove the ghost points first: they have no areas")
         with bar(progress_bar, "Estimating areas") as show:
             areas, normals = _clouds.areas_of(
                 source, number, estimates=_options.flag("estimate_normals", estimate_normals),

@@ -481,6 +481,16 @@ class AccessorTest(Warned):
         self.assertGreater(outward.min(), 0)
         self.assertRaisesRegex(ValueError, "normal_estimation", bare.winding.estimate_areas,
                                normal_estimation="best")
+        line = pv.Line((0, 9, 9), (1, 9, 9), 29)
+        line.point_data["Normals"] = np.tile([0.0, 0, 1], (30, 1))
+        for order in ([mesh, line], [line, mesh]):
+            found = pv.MultiBlock(order).winding.estimate_areas()
+            self.assertAlmostEqual(found[order.index(mesh)]["Area"].sum(), mesh.area, 1)
+        ghosts = pv.PolyData(mesh.points)
+        ghosts.point_data["Normals"] = mesh.point_normals
+        ghosts.point_data["vtkGhostType"] = np.ones(mesh.n_points, np.uint8)
+        self.assertRaisesRegex(vtkwinding.WindingError, "remove the ghost points",
+                               pv.MultiBlock([mesh, ghosts]).winding.estimate_areas)
         tetrahedron = pv.UnstructuredGrid(
             np.array([4, 3, 1, 2, 0]), [10], [[0.0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 3]])
         for cells in (tetrahedron, grid(4).cast_to_structured_grid(),
