@@ -187,6 +187,15 @@ def ids_of(data, numbers):
     return ids
 
 
+def keep_cell_data(to, data, numbers):
+    """Gives the cells of `to` what some cells of `data` have, by the numbers of these."""
+    attributes = to.GetCellData()
+    attributes.Initialize()  # arrays that are there would keep their length
+    attributes.CopyAllocate(data.GetCellData(), len(numbers))
+    attributes.CopyData(
+        data.GetCellData(), ids_of(data, numbers), ids_of(data, range(len(numbers))))
+
+
 def ghosts_of(attributes, bits, count):
     """Which of `count` cells or points are ghosts, or None where none is."""
     flags = attributes.GetArray("vtkGhostType")

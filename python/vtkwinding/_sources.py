@@ -413,11 +413,7 @@ def _without_seams(mesh, surface):
     made.SetPolys(_datasets.cell_array_of(mesh, *kept_polygons(corners, offsets, are_kept)))
     rest = np.ones(surface.GetNumberOfCells(), bool)
     rest[before:before + len(sizes)] = are_kept
-    ids = _datasets.ids_of(mesh, np.flatnonzero(rest))
-    count = ids.GetNumberOfIds()
-    made.GetCellData().CopyAllocate(surface.GetCellData(), count)
-    made.GetCellData().CopyData(
-        surface.GetCellData(), ids, _datasets.ids_of(mesh, np.arange(count)))
+    _datasets.keep_cell_data(made, surface, np.flatnonzero(rest))
     return made
 
 

@@ -244,10 +244,17 @@ class SourcesTest(unittest.TestCase):
                 numbers = numpy_to_vtk(np.arange(whole.GetNumberOfCells()), 1)
                 numbers.SetName("number")
                 whole.GetCellData().AddArray(numbers)
+                ids = numpy_to_vtk(np.arange(whole.GetNumberOfCells()), 1)
+                ids.SetName("id")
+                whole.GetCellData().SetGlobalIds(ids)
                 expected = _sources.source_of(whole).leaves[0]
                 found = _sources.source_of(pieces(whole)).leaves[0]
                 self.assertEqual(sorted(found.cell_array("number").tolist()),
                                  sorted(expected.cell_array("number").tolist()))
+                of_cells = found.data.GetCellData()
+                for index in range(of_cells.GetNumberOfArrays()):
+                    self.assertEqual(of_cells.GetAbstractArray(index).GetNumberOfTuples(),
+                                     found.data.GetNumberOfCells())
                 report = fields.report_of(
                     found.points, _sources._library.polygons_of(found.corners, found.offsets), None)
                 self.assertEqual(report["closed"], 1)

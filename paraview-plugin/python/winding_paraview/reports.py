@@ -6,7 +6,6 @@ import ctypes
 import math
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
     vtkCompositeDataSet,
@@ -312,21 +311,9 @@ def _with_polygons(leaf, are_turned, are_kept):
         copy.SetStrips(vtkCellArray())
         copy.GetCellData().Initialize()  # cells have other numbers now
     elif not are_kept.all():
-        ids = vtkIdList()
-        for cell in [*range(before), *(before + np.flatnonzero(are_kept)).tolist()]:
-            ids.InsertNextId(cell)
-        # Arrays that are there would keep their length.
-        copy.GetCellData().Initialize()
-        copy.GetCellData().CopyAllocate(data.GetCellData(), ids.GetNumberOfIds())
-        copy.GetCellData().CopyData(data.GetCellData(), ids, _sequence(ids.GetNumberOfIds()))
+        _datasets.keep_cell_data(
+            copy, data, [*range(before), *(before + np.flatnonzero(are_kept)).tolist()])
     return copy
-
-
-def _sequence(count):
-    ids = vtkIdList()
-    for number in range(count):
-        ids.InsertNextId(number)
-    return ids
 
 
 def _joined(leaves, data):
