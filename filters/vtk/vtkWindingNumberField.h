@@ -128,13 +128,14 @@ public:
   vtkGetMacro(NumberOfInsideSamples, vtkIdType);
 
   /// Counts of the extent that was executed last: its samples, NumberOfInsideSamples, and the
-  /// samples with w of WindingThreshold or more by the rule, and of −WindingThreshold or less.
+  /// samples with w of WindingThreshold or more by the rule, and of −WindingThreshold or less. With
+  /// UnionOverAllTimes the first two are of all times, and the last two of the last time.
   vtkGetVector4Macro(SampleCounts, vtkIdType);
 
   /// Warns of a source that is inside out, and of a grid without samples inside, as an execution of
-  /// the whole grid does. It is for a result that was made in pieces, by the sums `counts` of their
-  /// SampleCounts, once the last was made. Counted twice, the samples that pieces share change the
-  /// shares in the words a little. Collective; the first rank warns.
+  /// the whole grid does. It is for a result of one time that was made in pieces, by the sums
+  /// `counts` of their SampleCounts, once the last was made. Counted twice, the samples that pieces
+  /// share change the shares in the words a little. Collective; the first rank warns.
   void WarnOfPieces(const vtkIdType counts[4]);
 
 protected:
