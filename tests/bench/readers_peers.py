@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rates of readers per format: the module's, VTK's, and maintained libraries' of Python.
+"""Rates of readers per format: the module's, VTK's, and of maintained libraries of Python.
 
 Usage: readers_peers.py <readers_bench> <mesh>.ply [older winding]
 
@@ -9,7 +9,7 @@ that large_meshes.py takes. Its triangles are split once, its points turned, in 
 and written to a folder of its own in every format that the program reads: text with 12 significant
 digits, binary files in single precision. All readers then read them from the page cache, each the
 best of several rounds, and the coordinates that they give are compared with those that were
-written. Where an older program is given, its own time of reading stands with them. Of VTK
+written. Where an older program is given, its own time of reading stands next to them. Of VTK
 (for tables), Open3D, libigl, trimesh, meshio, NumPy and pandas, those that are installed take part.
 Prints all figures, and then a table with the fastest library of each format among those that keep
 all points apart; in brackets stand the largest differences of coordinates, relative to the largest

@@ -20,7 +20,7 @@
 namespace fuzz
 {
 
-/// A mesh of at most `mostTriangles`. Some meshes have unusable ones.
+/// A mesh of at most `mostTriangles` triangles. Some meshes have unusable triangles.
 shapes::Mesh randomMesh(Choices& choices, int mostTriangles);
 
 /// A mesh that is closed and has only the triangles of a solid, oriented outward.

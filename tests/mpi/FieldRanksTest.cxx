@@ -84,7 +84,7 @@ TEST(FieldOnRanks, OfACloudTakesTheAreasThatAreGiven)
   const Mesh mesh = shapes::icosphere(3);
   const auto withAreas = [](const vtkSmartPointer<vtkPolyData>& part)
   {
-    vtkNew<vtkDoubleArray> areas; // other than of the points' cells
+    vtkNew<vtkDoubleArray> areas; // other than the areas of the points' cells
     areas->SetName("Area");
     for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
     {

@@ -179,7 +179,7 @@ TEST(SurfaceOnRanks, TakesAttributesFromAWholeSourceOnly)
     << log.errors();
 }
 
-/// The fractions of each rank's own cells are the same as of the whole source.
+/// The fractions of each rank's own cells are the same as on one rank.
 TEST(ProbeOnRanks, GivesFractionsOfTheWholeSource)
 {
   vtkNew<vtkImageData> image;

@@ -22,7 +22,7 @@ def ranks(count, *command):
 
 
 def facts_in(folder):
-    """The facts of each deal: of all ranks together, and lists of each rank's."""
+    """The facts of each deal: facts of all ranks together, and lists of each rank's facts."""
     facts = collections.defaultdict(dict)
     for path in sorted(glob.glob(os.path.join(folder, "*.json"))):
         deal, *name, _ = os.path.basename(path).rsplit(".json", 1)[0].split(".")

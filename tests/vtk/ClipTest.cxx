@@ -199,8 +199,8 @@ TEST_F(Clip, InsideAndOutsideFitTogether)
   }
 }
 
-/// The places where edges of an image are cut, next to the ones where the winding number is the
-/// threshold or jumps over it: the mean of their distances, in voxels.
+/// The mean distance, in voxels, of the places where edges of an image are cut from the places
+/// where the winding number is the threshold or jumps over it.
 double meanError(vtkUnstructuredGrid* part, vtkImageData* image, vtkPolyData* source)
 {
   vtkNew<vtkImplicitWindingNumber> function;

@@ -120,7 +120,7 @@ TEST(LabelSurfaces, EncloseTheVoxelsOfEachLabel)
   }
 }
 
-/// The quads of a single label are the same as of the voxels inside.
+/// The quads of a single label are the quads of the voxels inside.
 TEST(LabelSurfaces, OfOneLabelAreThoseOfTheInside)
 {
   const auto image = randomLabels(7, 1);

@@ -13,7 +13,7 @@ using winding::UninitializedVector;
 
 TEST(UninitializedVector, KeepsWhatIsWritten)
 {
-  // Sizes around large pages', which are asked for inside of allocations.
+  // Sizes around the size of large pages, which are asked for inside of allocations.
   for (const std::size_t count : {0, 1, 1000, 262144, 524288, 3000001})
   {
     UninitializedVector<std::size_t> numbers(count);

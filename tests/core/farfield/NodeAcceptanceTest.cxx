@@ -85,8 +85,8 @@ struct Node
         p = i % 2 ? Point(-positions.back() / size) : p;
         n = normal;
       }
-      // The moments come from a patch of a surface that fills the node, or of as strong a set of
-      // points.
+      // The moments come from a patch of a surface that fills the node, or from as strong a set
+      // of points.
       positions.push_back(size * p);
       moments.push_back(n * (winding::pi * size * size / (4 * winding::pi) / count));
       winding::addDipole(order, p, moments.back() / size, exact);
