@@ -481,13 +481,15 @@ class AccessorTest(Warned):
         self.assertGreater(outward.min(), 0)
         self.assertRaisesRegex(ValueError, "normal_estimation", bare.winding.estimate_areas,
                                normal_estimation="best")
-        line = pv.Line((0, 9, 9), (1, 9, 9), 29)
+        line = pv.Line((0, 9, 9), (1, 9, 9), resolution=29)
         line.point_data["Normals"] = np.tile([0.0, 0, 1], (30, 1))
+        line.point_data.active_normals_name = "Normals"
         for order in ([mesh, line], [line, mesh]):
             found = pv.MultiBlock(order).winding.estimate_areas()
             self.assertAlmostEqual(found[order.index(mesh)]["Area"].sum(), mesh.area, 1)
         ghosts = pv.PolyData(mesh.points)
         ghosts.point_data["Normals"] = mesh.point_normals
+        ghosts.point_data.active_normals_name = "Normals"
         ghosts.point_data["vtkGhostType"] = np.ones(mesh.n_points, np.uint8)
         self.assertRaisesRegex(vtkwinding.WindingError, "remove the ghost points",
                                pv.MultiBlock([mesh, ghosts]).winding.estimate_areas)
