@@ -24,6 +24,12 @@ namespace
   throw Refusal(Message(property, fault.str()));
 }
 
+/// Returns the name of a choice: the entry of ParaView's panel there, else its constant in C++.
+std::string nameOf(const Choice& choice)
+{
+  return frontEnd() == FrontEnd::paraview ? choice.entry : choice.constant;
+}
+
 /// Returns the first `count` choices in words.
 std::string wordsOf(const std::vector<Choice>& choices, std::size_t count)
 {
@@ -31,8 +37,7 @@ std::string wordsOf(const std::vector<Choice>& choices, std::size_t count)
   for (std::size_t i = 0; i < count; ++i)
   {
     const char* before = i == 0 ? "" : i + 1 == count ? " or " : ", ";
-    words +=
-      before + std::string(choices[i].constant) + " (" + std::to_string(choices[i].number) + ")";
+    words += before + nameOf(choices[i]) + " (" + std::to_string(choices[i].number) + ")";
   }
   return words;
 }

@@ -347,6 +347,22 @@ TEST_F(PropertyRanges, OfTheImplicitFunction)
   EXPECT_EQ(log.errors(), "");
 }
 
+TEST_F(PropertyRanges, NameChoicesAsThePanelsOfParaViewDo)
+{
+  using Filter = vtkWindingNumberAlgorithm;
+  Filter::SetNamesInMessages(Filter::PARAVIEW_NAMES);
+  vtkNew<vtkWindingNumberField> field;
+  const ErrorLog log(field);
+  field->SetInputData(vtkSmartPointer<vtkPolyData>::New());
+  field->SetMethod(9);
+  field->Update();
+  Filter::SetNamesInMessages(Filter::CXX_NAMES);
+  EXPECT_NE(log.errors().find("Method is 9; it must be Automatic (0), Rows (1), Hierarchical (2), "
+                              "Direct Sum (3) or Ray Parity (4)"),
+    std::string::npos)
+    << log.errors();
+}
+
 TEST_F(PropertyRanges, AreCheckedWhereAPropertyHasNoEffectToo)
 {
   vtkNew<vtkWindingNumberField> field;
