@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _datasets, _parts
 from ._checks import check_cells
-from ._outward import POLYHEDRON
+from ._outward import POLYHEDRON, TETRA
 
 _CONVEX_POINT_SET = 41
 # The straight types of curved cells of three dimensions, and how many corners these have.
@@ -16,7 +16,6 @@ _STRAIGHT = {**dict.fromkeys((24, 64, 71, 78), (10, 4)),
              **dict.fromkeys((25, 29, 33, 67, 72, 79), (12, 8)),
              **dict.fromkeys((26, 31, 32, 65, 73, 80), (13, 6)),
              **dict.fromkeys((27, 37, 66, 74, 81), (14, 5))}
-_TETRA_FACES = ((0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1))
 
 
 class Cells(NamedTuple):
@@ -97,7 +96,7 @@ def _replaced(grid, cell, kind, corners, offsets, points):
         a, b, c, d = points[tetrahedron].astype(float)
         if np.cross(b - a, c - a) @ (d - a) < 0:
             tetrahedron = tetrahedron[[1, 0, 2, 3]]
-        for face in _TETRA_FACES:
+        for face in TETRA:
             stream += [3, *tetrahedron[list(face)].tolist()]
     return POLYHEDRON, np.array(stream)
 

@@ -15,7 +15,7 @@ from . import _datasets
 # The faces of cells by their corners, so that they agree with each other.
 _HEXAHEDRON = ((0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (3, 7, 6, 2), (0, 3, 2, 1), (4, 5, 6, 7))
 _VOXEL = tuple(tuple((0, 1, 3, 2, 4, 5, 7, 6)[corner] for corner in face) for face in _HEXAHEDRON)
-_TETRA = ((0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1))
+TETRA = ((0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1))
 _WEDGE = ((0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0))
 _PYRAMID = ((0, 3, 2, 1), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4))
 
@@ -25,7 +25,7 @@ def _prism(count):
     return (tuple(reversed(range(count))), tuple(range(count, 2 * count)), *sides)
 
 
-_FACES = {10: _TETRA, 11: _VOXEL, 12: _HEXAHEDRON, 13: _WEDGE, 14: _PYRAMID, 15: _prism(5),
+_FACES = {10: TETRA, 11: _VOXEL, 12: _HEXAHEDRON, 13: _WEDGE, 14: _PYRAMID, 15: _prism(5),
           16: _prism(6)}
 POLYHEDRON = 42
 # Curved cells whose faces VTK divides in the order of the faces of straight ones. The corners of

@@ -192,9 +192,8 @@ class Solids:
             names = self._ranks.texts(name_of(name, region, its_names) for region in own.tolist())
             named = dict(sorted(zip(regions, names)))
         offset = self._filter.value("LabelOffset")
-        are_labels = named and 1 not in kinds and (
-            min(named) + offset >= 1 and max(named) + offset <= _MOST)
-        self.are_numbered = bool(named) and 1 not in kinds and not are_labels and offset == 0
+        self.are_numbered = bool(named) and 1 not in kinds and offset == 0 and not (
+            min(named) >= 1 and max(named) <= _MOST)
         found = []
         for place, (region, its_name) in enumerate(named.items(), 1):
             if 1 in kinds or self.are_numbered:
