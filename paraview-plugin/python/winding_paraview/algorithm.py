@@ -161,12 +161,13 @@ class Algorithm(VTKPythonAlgorithmBase):
             raise WindingError(f"{declared_as.label} is {found}; it must be "
                                f"{', '.join(words[:-1])} or {words[-1]}")
         for value in values:
+            lowest, highest = declared_as.lowest, declared_as.highest
             is_number = isinstance(value, (int, float))
-            if is_number and not (math.isfinite(value) and value >= declared_as.lowest):
+            if is_number and not (math.isfinite(value) and lowest <= value <= highest):
                 raise WindingError(
                     f"{declared_as.label} is {text_of(value)}; it must be " + (
                         "" if math.isfinite(value) else "a finite number, ") +
-                    f"{text_of(declared_as.lowest)} or more")
+                    text_of(lowest) + (f" to {highest}" if highest < math.inf else " or more"))
         return found
 
     def check(self):

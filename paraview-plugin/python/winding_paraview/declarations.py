@@ -17,6 +17,9 @@ _BASES = ("WindingNumberAlgorithm", "WindingNumberGridAlgorithm", "WindingNumber
 _LEFT_OUT = ("WindingNumberHyperTree",)
 _LAST = ("Menu",)
 _MODULE = "winding_paraview.proxies"
+# Where the filters refuse more, as Options.def of the filters in C++ has it.
+_HIGHEST = {"Regularization": 4, "NumberOfNeighbors": 1000, "CoverageSamples": 10,
+            "LabelOffset": 65535, "FaultThickness": 1}
 
 
 class Property(NamedTuple):
@@ -26,6 +29,7 @@ class Property(NamedTuple):
     default: object
     choices: tuple
     lowest: float
+    highest: float
 
 
 def _order(path):
@@ -82,4 +86,5 @@ def _property_of(element):
     lowest = -math.inf if domain is None or name == "WindingThreshold" else float(
         domain.get("min", "-inf").split()[0])
     label = element.get("label") or re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
-    return name, Property(label, values if len(values) > 1 else values[0], choices, lowest)
+    return name, Property(label, values if len(values) > 1 else values[0], choices, lowest,
+                          _HIGHEST.get(name, math.inf))

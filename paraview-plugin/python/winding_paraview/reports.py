@@ -98,9 +98,6 @@ class SurfaceReport(Algorithm):
         if ranks.are_alone and piece:
             return 1
         with self.reporting(output):
-            thickness = self.values["FaultThickness"]
-            if not 0 <= thickness <= 1:
-                raise WindingError(f"Fault Thickness is {thickness:g}; it must be 0 to 1")
             self.check()
             if self.values["FixOrientation"] and not ranks.are_alone:
                 raise WindingError("one rank has not all faces to turn: use Fix Orientation off; "
