@@ -107,7 +107,13 @@ Solids::Solids(vtkDataObject* input, const SolidOptions& options, Ranks& ranks, 
       });
     // Lists of arrays in ParaView have the entry None, which arrives here as a name.
     const bool isNone = options.regionArray == "None" && !data_->GetCellData()->HasArray("None");
-    if (options.regionArray.empty() || isNone)
+    const bool isOfParts = options.regionArray.empty() || isNone;
+    // Regions of other data sets are sources, and count their own cells.
+    if (!asPoints_ && hasFaces(data) && (isOfParts || vtkPolyData::SafeDownCast(data)))
+    {
+      countLoose(data, counts_);
+    }
+    if (isOfParts)
     {
       this->addParts(data_, input->GetFieldData(), options, ranks, executor);
     }
