@@ -180,7 +180,7 @@ def _leaf(data, has_faces, is_cloud, normals_array, areas_array):
         corners, offsets, cells = _own_polygons(data)
     if is_cloud:
         normals = _point_array(data, normals_array, 3)
-        if has_faces and normals is not None and not _have_directions(normals):
+        if has_faces and normals is not None and not have_directions(normals):
             normals = None  # the faces have directions
         if areas_array is not None:
             areas = _point_array(data, areas_array, 1)
@@ -192,7 +192,7 @@ def _leaf(data, has_faces, is_cloud, normals_array, areas_array):
     return Leaf(data, points, rows, corners, offsets, cells, normals, areas)
 
 
-def _have_directions(normals):
+def have_directions(normals):
     with np.errstate(all="ignore"):
         return bool((np.isfinite(normals).all(axis=1) & (normals != 0).any(axis=1)).any())
 

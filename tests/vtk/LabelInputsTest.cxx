@@ -570,4 +570,46 @@ TEST_F(LabelInputs, SayWhichLabelsHaveNoVoxelsAndWhy)
   EXPECT_EQ(warnings.rfind("Warning: "), warnings.find("Warning: ")) << "one line: " << warnings;
 }
 
+TEST_F(LabelInputs, PartsAsCloudsKeepTheNormalsOfTheirPoints)
+{
+  const auto inside = [&](vtkDataObject* input)
+  {
+    const std::vector<unsigned short> found = made(input);
+    return std::count_if(
+      found.begin(), found.end(), [](unsigned short label) { return label > 0; });
+  };
+  const auto both = withRegions({ball(0, 0, 0, 1), ball(4, 0, 0, 1)}, 1);
+  labels->SourceAsPointsOn();
+  for (const char* array : {"", "Region"})
+  {
+    labels->SetRegionArray(array);
+    EXPECT_GT(inside(both), 0) << array;
+  }
+  vtkDataArray* const normals = both->GetPointData()->GetNormals();
+  ASSERT_NE(normals, nullptr);
+  for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+  {
+    const double* normal = normals->GetTuple3(i);
+    normals->SetTuple3(i, -normal[0], -normal[1], -normal[2]);
+  }
+  both->Modified();
+  for (const char* array : {"", "Region"})
+  {
+    labels->SetRegionArray(array);
+    EXPECT_EQ(inside(both), 0) << array;
+  }
+}
+
+TEST_F(LabelInputs, LinesNextToFacesAreCounted)
+{
+  const auto solids = ball(0, 0, 0, 1);
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell({0, 1, 2});
+  solids->SetLines(line);
+  solids->GetCellData()->Initialize();
+  this->made(solids);
+  EXPECT_NE(warnings.find("lines and single points bound nothing"), std::string::npos) << warnings;
+  EXPECT_NE(warnings.find("1 are left out"), std::string::npos) << warnings;
+}
+
 } // namespace

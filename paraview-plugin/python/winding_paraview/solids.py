@@ -26,7 +26,7 @@ from vtkwinding._regions import (
     names_of_parts,
     regions_of,
 )
-from vtkwinding._sources import kept_polygons
+from vtkwinding._sources import have_directions
 
 from .algorithm import RUN, copied, declared, new_array, pointer
 from .grids import FRACTION, ImageAlgorithm, sample_count, take_better
@@ -92,15 +92,25 @@ def blocks_of(composite):
     return found
 
 
-def _part_of(leaf, are_kept):
-    """Some of the polygons of a leaf, with the points that they use."""
-    corners, offsets = kept_polygons(leaf.corners, leaf.offsets, are_kept)
-    used, places = np.unique(corners, return_inverse=True)
+def _part_of(leaf, chosen):
+    """Some of the polygons of a leaf, by their numbers, with the points that they use in the order
+    in which they use them. Ids of points that do not exist become -1."""
+    sizes = np.diff(leaf.offsets)[chosen]
+    offsets = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
+    corners = leaf.corners[np.repeat(leaf.offsets[chosen] - offsets[:-1], sizes)
+                           + np.arange(offsets[-1])].astype(np.int64)
+    exist = (corners >= 0) & (corners < len(leaf.points))
+    used, first, places = np.unique(corners[exist], return_index=True, return_inverse=True)
+    order = np.argsort(first)
+    used = used[order]
+    corners[exist] = np.argsort(order)[places.reshape(-1)]
+    corners[~exist] = -1
     normals, areas = (None if array is None else array[used] for array in (leaf.normals, leaf.areas))
+    if normals is not None and not have_directions(normals):
+        normals = None  # the faces have directions
     return leaf._replace(
-        points=leaf.points[used], rows=used, corners=places.reshape(-1).astype(np.int64),
-        offsets=np.asarray(offsets, np.int64), cells=leaf.cells[are_kept], normals=normals,
-        areas=areas)
+        points=leaf.points[used], rows=used, corners=corners, offsets=offsets,
+        cells=leaf.cells[chosen], normals=normals, areas=areas)
 
 
 class Solids:
@@ -158,14 +168,13 @@ class Solids:
         return self._of_connectivity(data)
 
     def _leaf_of(self, data):
-        """The only leaf of a data set with its polygons, or None without any data."""
+        """The only leaf of a data set with its polygons, or None without any data; and notes."""
         source, notes = source_in_words(
             data, normals_array=self._options["normals_array"],
             areas_array=self._options["areas_array"] if (
                 self._options["areas"] == AREAS_OF_ARRAY) else None,
             surface_cells=self._options["surface_cells"], as_points=self._options["as_points"])
-        self.notes += notes
-        return source.leaves[0] if source.leaves else None
+        return source.leaves[0] if source.leaves else None, notes
 
     def _parts(self, leaf):
         if self._options["as_points"]:
@@ -209,18 +218,21 @@ class Solids:
     def _of_region(self, data, are_kept):
         if not len(are_kept) or not are_kept.any():
             return Parts(np.empty((0, 3)))
-        ghosts = data.GetCellData().GetArray("vtkGhostType")
-        if isinstance(data, vtkPolyData) and data.GetNumberOfStrips() == 0 and ghosts is None:
+        if isinstance(data, vtkPolyData):
             if getattr(self, "_whole", None) is None:
-                self._whole = self._leaf_of(data)
-            first = data.GetNumberOfVerts() + data.GetNumberOfLines()
-            return self._parts(_part_of(self._whole, are_kept[first:]))
-        leaf = self._leaf_of(_datasets.extracted(data, are_kept))
-        return Parts(np.empty((0, 3))) if leaf is None or leaf.corners is None else (
-            self._parts(leaf))
+                self._whole, self.notes = self._leaf_of(data)
+            if self._whole is None:
+                return Parts(np.empty((0, 3)))
+            return self._parts(_part_of(self._whole, np.flatnonzero(are_kept[self._whole.cells])))
+        leaf, notes = self._leaf_of(_datasets.extracted(data, are_kept))
+        if leaf is None or leaf.corners is None:
+            return Parts(np.empty((0, 3)))
+        parts = self._parts(leaf)
+        parts.notes = notes
+        return parts
 
     def _of_connectivity(self, data):
-        leaf = self._ranks.agree(lambda: self._leaf_of(data))
+        leaf, self.notes = self._ranks.agree(lambda: self._leaf_of(data))
         has_points = np.concatenate(self._ranks.gather(np.array([leaf is not None])))
         if leaf is not None and leaf.corners is None:
             raise WindingError("give blocks, one for each solid: the input is points, and nothing "
@@ -256,18 +268,19 @@ class Solids:
         are_unusable = numbers < 0  # to be counted as left out, once
         if self._filter.value("IgnoreOpenParts"):
             numbers = np.where((are_open == 0) | are_unusable, numbers, -2)
+        order = np.argsort(numbers, kind="stable")  # parts that have one name come one by one
         named, names, self.divides = names_of_parts(regions_of(leaf, self._fields), numbers)
         if named is not None:
             numbers = named
         found = []
         for number in range(count.value if names is None else len(names)):
-            are_kept = numbers == number
-            if are_kept.any():
-                is_open = bool(are_open[are_kept].all())
+            chosen = order[numbers[order] == number]
+            if len(chosen):
+                is_open = bool(are_open[chosen].all())
                 name = names[number] if names else f"Part {len(found) + 1}"
                 if not found:
-                    are_kept = are_kept | are_unusable
-                found.append((name, self._parts(_part_of(leaf, are_kept)), is_open))
+                    chosen = np.concatenate([chosen, np.flatnonzero(are_unusable)])
+                found.append((name, self._parts(_part_of(leaf, chosen)), is_open))
         return found
 
 

@@ -13,6 +13,7 @@
 #include "vtkExtractCells.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
@@ -99,8 +100,19 @@ private:
   vtkNew<vtkIdList> points_;
 };
 
-vtkSmartPointer<vtkPolyData> facesOfCells(
-  vtkPolyData* surface, const std::vector<vtkIdType>& cells, std::vector<vtkIdType>& newIds)
+/// Copies the arrays of some points of one data set to another, which has these points alone.
+void copyPointData(vtkPointSet* from, vtkIdList* points, vtkPointSet* to)
+{
+  vtkPointData* const arrays = to->GetPointData();
+  arrays->CopyAllocate(from->GetPointData(), points->GetNumberOfIds());
+  for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
+  {
+    arrays->CopyData(from->GetPointData(), points->GetId(i), i);
+  }
+}
+
+vtkSmartPointer<vtkPolyData> facesOfCells(vtkPolyData* surface, const std::vector<vtkIdType>& cells,
+  std::vector<vtkIdType>& newIds, bool keepsPointData)
 {
   auto result = vtkSmartPointer<vtkPolyData>::New();
   if (cells.empty())
@@ -130,6 +142,10 @@ vtkSmartPointer<vtkPolyData> facesOfCells(
   result->SetPoints(points);
   result->SetPolys(polys);
   result->SetStrips(strips);
+  if (keepsPointData)
+  {
+    copyPointData(surface, copier.points(), result);
+  }
   return result;
 }
 
@@ -206,12 +222,12 @@ SolidCells solidCellsOf(
   return result;
 }
 
-vtkSmartPointer<vtkPointSet> cellsOf(
-  vtkPointSet* data, const std::vector<vtkIdType>& cells, std::vector<vtkIdType>& newIds)
+vtkSmartPointer<vtkPointSet> cellsOf(vtkPointSet* data, const std::vector<vtkIdType>& cells,
+  std::vector<vtkIdType>& newIds, bool keepsPointData)
 {
   if (auto* surface = vtkPolyData::SafeDownCast(data))
   {
-    return facesOfCells(surface, cells, newIds);
+    return facesOfCells(surface, cells, newIds, keepsPointData);
   }
   vtkNew<vtkIdList> ids;
   for (const vtkIdType cell : cells)

@@ -41,9 +41,9 @@ SolidCells solidCellsOf(
  * Some of the cells of a data set, in their order, with the points that they use. The cells of
  * polydata are polygons and strips, and keep ids of points that do not exist. `newIds` is −1 for
  * each point between calls, or empty before the first: it is what makes many small regions of one
- * surface take no more time than one.
+ * surface take no more time than one. `keepsPointData` has points keep their arrays, as clouds do.
  */
-vtkSmartPointer<vtkPointSet> cellsOf(
-  vtkPointSet* data, const std::vector<vtkIdType>& cells, std::vector<vtkIdType>& newIds);
+vtkSmartPointer<vtkPointSet> cellsOf(vtkPointSet* data, const std::vector<vtkIdType>& cells,
+  std::vector<vtkIdType>& newIds, bool keepsPointData);
 
 } // namespace winding

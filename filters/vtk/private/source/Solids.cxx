@@ -91,6 +91,7 @@ bool isWhole(vtkPointSet* data, Ranks& ranks)
 } // namespace
 
 Solids::Solids(vtkDataObject* input, const SolidOptions& options, Ranks& ranks, Executor& executor)
+  : asPoints_(options.asPoints)
 {
   if (vtkCompositeDataSet::SafeDownCast(input))
   {
@@ -275,7 +276,7 @@ vtkSmartPointer<vtkDataObject> Solids::source(std::size_t solid) const
 {
   if (data_)
   {
-    return cellsOf(data_, parts_.cells[solid], newIds_);
+    return cellsOf(data_, parts_.cells[solid], newIds_, asPoints_);
   }
   return blocks_[solid];
 }

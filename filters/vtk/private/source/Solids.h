@@ -109,6 +109,7 @@ private:
   bool areNumbered_ = false;
   std::string dividingNames_;
   CellCounts counts_;
+  bool asPoints_ = false;
 
   std::vector<vtkSmartPointer<vtkDataObject>> blocks_; ///< none for regions
   vtkSmartPointer<vtkPointSet> data_;                  ///< cells that regions are of
