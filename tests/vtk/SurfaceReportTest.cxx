@@ -274,6 +274,35 @@ TEST_F(SurfaceReport, SaysThatLinesBoundNothing)
     << text("advice");
 }
 
+TEST_F(SurfaceReport, KeepsLinesNextToASurface)
+{
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell({0, 1, 2});
+  const auto lines = cloud(false);
+  lines->SetLines(line);
+  vtkNew<vtkAppendFilter> asGrid;
+  asGrid->SetInputData(lines);
+  asGrid->Update();
+  for (vtkDataSet* data :
+    {static_cast<vtkDataSet*>(lines), static_cast<vtkDataSet*>(asGrid->GetOutput())})
+  {
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    blocks->SetBlock(0, sphere());
+    blocks->SetBlock(1, data);
+    for (const bool fixes : {false, true})
+    {
+      filter->SetFixOrientation(fixes);
+      ErrorLog log(filter);
+      vtkPolyData* output = this->reportOn(blocks);
+      EXPECT_EQ(log.errors(), "");
+      EXPECT_EQ(output->GetNumberOfLines(), 1);
+      EXPECT_EQ(output->GetNumberOfVerts(), 0);
+      EXPECT_EQ(output->GetNumberOfPolys(), sphere()->GetNumberOfPolys());
+      EXPECT_NE(text("advice").find("1 are left out"), std::string::npos) << text("advice");
+    }
+  }
+}
+
 TEST_F(SurfaceReport, TakesTheNormalsArrayThatIsNamed)
 {
   auto source = cloud();

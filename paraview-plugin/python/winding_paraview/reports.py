@@ -15,6 +15,7 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTubeFilter
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 from vtkwinding import _datasets, _library, fields
 from vtkwinding._errors import WindingError
@@ -108,23 +109,25 @@ class SurfaceReport(Algorithm):
     def _report(self, data, ranks, output, faults):
         options = {"normals_array": self.values["NormalsArray"],
                    "surface_cells": bool(self.value("UseSurfaceCells"))}
+        given = data
         source, notes = ranks.agree(lambda: source_in_words(data, **options))
-        leaves = [leaf.data for leaf in source.leaves]
+        leaves, blocks = ([getattr(leaf, name) for leaf in source.leaves]
+                          for name in ("data", "block"))
         fixed = None
         if self.values["FixOrientation"]:
             leaves, fixed = (self._fixed_faces(source) if source.is_surface else
                              self._fixed_normals(source))
-            blocks = vtkMultiBlockDataSet()
+            fixed_data = vtkMultiBlockDataSet()
             for number, leaf in enumerate(leaves):
-                blocks.SetBlock(number, leaf)
-            data, source = blocks, source_in_words(blocks, **options)[0]
+                fixed_data.SetBlock(number, leaf)
+            data, source = fixed_data, source_in_words(fixed_data, **options)[0]
         own = Parts(source.points, source.corners, source.offsets) if source.is_surface else (
             cloud_of(self, source.leaves, 0))
         of_completion = []
         parts = self._completed(
             gathered(own, ranks, self.value("SourceDistribution")), of_completion)
         notes = of_completion + notes
-        output.ShallowCopy(_joined(leaves, data))
+        output.ShallowCopy(_joined(_with_lines(leaves, blocks, given), data))
         if parts.is_surface:
             self._report_surface(parts, source, notes, fixed, output)
             if ranks.rank == 0:
@@ -311,6 +314,26 @@ def _with_polygons(leaf, are_turned, are_kept):
         _datasets.keep_cell_data(
             copy, data, [*range(before), *(before + np.flatnonzero(are_kept)).tolist()])
     return copy
+
+
+def _with_lines(leaves, blocks, data):
+    """Leaves, by their blocks, and blocks of lines next to them, in the order of data."""
+    found = []
+    own = dict(zip(blocks, leaves))
+    for name, leaf in _datasets.leaves_of(data):
+        block = _datasets.flat_index_of(name)
+        if block in own:
+            found.append(own[block])
+        elif _datasets.is_of_lines(leaf):
+            found.append(leaf if leaf.IsA("vtkPolyData") else _surface_of(leaf))
+    return found
+
+
+def _surface_of(mesh):
+    surface = vtkDataSetSurfaceFilter()
+    surface.SetInputData(mesh)
+    surface.Update()
+    return surface.GetOutput()
 
 
 def _joined(leaves, data):

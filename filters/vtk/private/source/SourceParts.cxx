@@ -12,6 +12,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDataSetSurfaceFilter.h"
 #include "vtkExtentTranslator.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
@@ -67,6 +68,19 @@ vtkSmartPointer<vtkPointSet> withoutGhosts(vtkPointSet* cloud, const std::string
   }
   clean->SetPoints(points);
   return clean;
+}
+
+/// Returns a mesh of lines as polydata.
+vtkSmartPointer<vtkPolyData> linesOf(vtkPointSet* mesh)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(mesh))
+  {
+    return polyData;
+  }
+  vtkNew<vtkDataSetSurfaceFilter> filter;
+  filter->SetInputData(mesh);
+  filter->Update();
+  return filter->GetOutput();
 }
 
 vtkSmartPointer<vtkPolyData> leafAsPolyData(vtkPointSet* leaf, bool takesFaces, CellCounts& counts)
@@ -175,12 +189,25 @@ std::vector<vtkSmartPointer<vtkPolyData>> leavesAsPolyData(
   {
     return {leafAsPolyData(vtkPointSet::SafeDownCast(source), takesFaces, counts)};
   }
-  std::vector<vtkSmartPointer<vtkPolyData>> leaves;
+  std::vector<vtkPointSet*> pointSets;
   auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
-    auto* leaf = vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject());
-    leaves.push_back(leafAsPolyData(leaf, takesFaces, counts));
+    pointSets.push_back(vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject()));
+  }
+  const bool isSurface = std::any_of(pointSets.begin(), pointSets.end(), hasFaces);
+  std::vector<vtkSmartPointer<vtkPolyData>> leaves;
+  for (vtkPointSet* leaf : pointSets)
+  {
+    if (isSurface && isOfLines(leaf))
+    {
+      countLoose(leaf, counts);
+      leaves.push_back(linesOf(leaf));
+    }
+    else
+    {
+      leaves.push_back(leafAsPolyData(leaf, takesFaces, counts));
+    }
   }
   return leaves;
 }

@@ -50,9 +50,9 @@ vtkSmartPointer<vtkPointSet> ownPartOf(
 
 /**
  * The leaves of a source, of the kinds that InputViews takes, as polydata: polydata as it is, other
- * meshes as their outer surface (OuterSurface.h), other clouds as points with a vertex cell each. A
- * source that is no composite is its own leaf. The cells of other meshes were checked
- * (CellChecks.h).
+ * meshes as their outer surface (OuterSurface.h), other clouds as points with a vertex cell each.
+ * Next to a surface meshes of lines stay lines, which are counted. A source that is no composite is
+ * its own leaf. The cells of other meshes were checked (CellChecks.h).
  */
 std::vector<vtkSmartPointer<vtkPolyData>> leavesAsPolyData(
   vtkDataObject* source, bool takesFaces, CellCounts& counts);
