@@ -114,6 +114,7 @@ int vtkSurfaceReport::RequestData(
     });
   if (outcome != winding::Outcome::done)
   {
+    output->Initialize();
     return 1;
   }
   for (int i = 0; i < this->Report->GetNumberOfArrays(); ++i)

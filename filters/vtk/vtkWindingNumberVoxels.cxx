@@ -293,13 +293,18 @@ int vtkWindingNumberVoxels::RequestData(
   {
     return 1;
   }
-  winding::reportErrors(this, {"not enough memory for the surface", lessMemory},
-    [&]()
-    {
-      vtkPolyData* const output = vtkPolyData::GetData(outInfo);
-      this->MakeSurface(vtkImageData::GetData(inputs[0]), output);
-      this->AddNearest(vtkDataObject::GetData(inputs[1]), output);
-    });
+  vtkPolyData* const output = vtkPolyData::GetData(outInfo);
+  const winding::Outcome outcome =
+    winding::reportErrors(this, {"not enough memory for the surface", lessMemory},
+      [&]()
+      {
+        this->MakeSurface(vtkImageData::GetData(inputs[0]), output);
+        this->AddNearest(vtkDataObject::GetData(inputs[1]), output);
+      });
+  if (outcome != winding::Outcome::done)
+  {
+    output->Initialize();
+  }
   return 1;
 }
 
