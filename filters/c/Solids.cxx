@@ -6,8 +6,9 @@
 #include "messages/PropertyChecks.h"
 #include "report/GridAdvice.h"
 #include "report/InputUnits.h"
+#include "report/InsideOutAdvice.h"
 #include "report/LabelFacts.h"
-#include "report/SourceAdvice.h"
+#include "report/ThinParts.h"
 #include "source/Sanitize.h"
 #include "surface/OpenParts.h"
 #include "surface/Orientation.h"
@@ -72,14 +73,29 @@ winding::LabelArrays arraysOf(
   return arrays;
 }
 
-/// Warns of solids without a label.
-void warnOfSolids(const winding::LabelFacts& facts, std::size_t count, Call& call)
+/// The samples of labels, and which of them are inside.
+struct Sampling
 {
+  Grid grid;
+  winding::InsideRule rule;
+  double threshold;
+  bool isOfCenters;
+};
+
+/// Warns of solids without a label, as a whole or in part.
+void warnOfSolids(
+  const winding::LabelFacts& facts, std::size_t count, const Sampling& sampling, Call& call)
+{
+  const std::string causes = "faces or normals";
   if (facts.insideOut.count() > 0)
   {
     call.warn(winding::Message("some solids look inward and have no label",
-      {{"turn their faces", {{winding::Parameter::orientFaces, 1}}}},
-      facts.insideOut.outOf(count)));
+      winding::waysOutOfInward(causes), facts.insideOut.outOf(count)));
+  }
+  const auto advice = winding::gridAdvice(sampling.grid, facts.source.bounds, {});
+  if (advice && facts.missed.count() == 0 && facts.source.primitives > 0)
+  {
+    call.warn(*advice);
   }
   if (facts.missed.count() > 0)
   {
@@ -90,15 +106,51 @@ void warnOfSolids(const winding::LabelFacts& facts, std::size_t count, Call& cal
   if (facts.thin.count() > 0)
   {
     constexpr int any = WINDING_COVERAGE_ANY;
-    call.warn(winding::Message("some solids have no voxel inside",
-      {winding::smallerVoxels(), {"label what they touch", {{winding::Parameter::coverage, any}}}},
-      facts.thin.outOf(count)));
+    std::vector<winding::Remedy> remedies = {
+      winding::smallerVoxels(), {"label what they touch", {{winding::Parameter::coverage, any}}}};
+    if (sampling.rule != winding::InsideRule::odd && sampling.threshold > 0.5)
+    {
+      remedies.insert(remedies.begin(), winding::lowerThreshold());
+    }
+    call.warn(
+      winding::Message("some solids have no voxel inside", remedies, facts.thin.outOf(count)));
+  }
+  if (facts.lostInPart.count() > 0)
+  {
+    winding::Message lost =
+      winding::thinPartsAdvice(facts.largestLoss, sampling.grid, sampling.isOfCenters);
+    lost.facts += "; " + facts.lostInPart.outOf(count);
+    call.warn(lost);
   }
   if (facts.hidden.count() > 0)
   {
     call.warn(winding::Message("others hide all voxels of some solids",
       {{"", {{winding::Parameter::overlapRule, WINDING_OVERLAP_RULE_SMALLEST}}}},
       facts.hidden.outOf(count)));
+  }
+  if (facts.partlyInsideOut.count() > 0)
+  {
+    call.warn(winding::Message("parts of solids look inward and have no label",
+      winding::waysOutOfInward(causes), facts.partlyInsideOut.outOf(count)));
+  }
+}
+
+/// Counts a solid if parts of it are lost between samples, and have no label there.
+void lookForThinParts(const Field& field, const winding::LabelArrays& arrays,
+  const Sampling& sampling, const std::string& name, winding::LabelFacts& facts, Call& call)
+{
+  const auto parts = winding::thinPartsOf(
+    field, sampling.grid,
+    [&arrays](int i, int j, int k)
+    { return arrays.labels[winding::sampleNumber(arrays.extent, i, j, k)] != 0; },
+    sampling.rule, sampling.threshold, call.executor);
+  if (parts && parts->areWorthTelling())
+  {
+    facts.lostInPart.add(name);
+    if (parts->share > facts.largestLoss.share)
+    {
+      facts.largestLoss = *parts;
+    }
   }
 }
 
@@ -142,6 +194,8 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
       std::vector<float> best(wished.overlap_rule == WINDING_OVERLAP_RULE_LARGEST ? voxels : 0);
       arrays.best = best.empty() ? nullptr : best.data();
       const winding::InsideRule insideRule = ruleOf(inside);
+      const Sampling sampling = {
+        samples, insideRule, inside.winding_threshold, wished.coverage == WINDING_COVERAGE_CENTER};
       winding::LabelMerge merge(arrays, static_cast<winding::OverlapRule>(wished.overlap_rule),
         insideRule == winding::InsideRule::absoluteThreshold, call.executor);
       winding::SolidEvaluation evaluation(evaluationOptions(inside, wished));
@@ -180,18 +234,31 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
         merge.begin(number, size, shares);
         winding::SideTally sides;
         evaluation.run(field, samples, part, merge, &sides, call.executor);
-        if (isWhole && !merge.hasInside() && field.info().primitives > 0 &&
-            !field.info().hasNoSides)
-        {
-          const winding::Facing facing = winding::facingOf(
-            field, sides.counts(voxels), insideRule, inside.winding_threshold, call.executor);
-          const bool isMissed = winding::missesSource(samples, field.info().bounds);
-          (facing.looksInward ? facts.insideOut
-            : isMissed        ? facts.missed
-                              : facts.thin)
-            .add(nameOf(i));
-        }
         hasVoxels[i] = merge.hasInside();
+        facts.source.bounds.extend(field.info().bounds);
+        facts.source.primitives += field.info().primitives;
+        if (!isWhole || field.info().primitives == 0)
+        {
+          return;
+        }
+        const double end = static_cast<double>(i + 1) / all;
+        call.executor.setShare(end, end);
+        const bool isInward = insideRule == winding::InsideRule::signedThreshold &&
+                              winding::inwardnessOf(field, sides.counts(voxels), call.executor) ==
+                                winding::Inwardness::solids;
+        if (isInward)
+        {
+          (hasVoxels[i] ? facts.partlyInsideOut : facts.insideOut).add(nameOf(i));
+        }
+        else if (hasVoxels[i])
+        {
+          lookForThinParts(field, arrays, sampling, nameOf(i), facts, call);
+        }
+        else if (!field.info().hasNoSides && !(given.are_open && given.are_open[i] != 0))
+        {
+          const bool isMissed = winding::missesSource(samples, field.info().bounds);
+          (isMissed ? facts.missed : facts.thin).add(nameOf(i));
+        }
       };
       if (count > 0)
       {
@@ -223,7 +290,10 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
       {
         call.warn(*units);
       }
-      warnOfSolids(facts, count, call);
+      if (isWhole)
+      {
+        warnOfSolids(facts, count, sampling, call);
+      }
     });
 }
 

@@ -169,7 +169,7 @@ class Labels(Sized):
                 ("counts", ctypes.c_void_p), ("first_labels", ctypes.c_void_p),
                 ("first_shares", ctypes.c_void_p), ("second_labels", ctypes.c_void_p),
                 ("second_shares", ctypes.c_void_p), ("shares", ctypes.c_void_p),
-                ("names", ctypes.c_void_p)]
+                ("names", ctypes.c_void_p), ("are_open", ctypes.c_void_p)]
 
 
 class Estimate(Sized):

@@ -134,6 +134,61 @@ TEST(Labels, ThatAreMissingAreTold)
   EXPECT_NE(told.texts[2].find("1 of 3 solids ('3')"), std::string::npos) << told.texts[2];
 }
 
+TEST(Labels, OfOpenPartsNeedNoVoxel)
+{
+  Mesh sheet;
+  sheet.points = {Point(0.2, 0.2, 0.47), Point(0.8, 0.2, 0.47), Point(0.2, 0.8, 0.47)};
+  sheet.triangles = {{0, 1, 2}};
+  const Field box = fieldOf(shapes::cube()), open = fieldOf(sheet);
+  const winding_grid grid = gridAround({0, 0, 0}, {1, 1, 1}, 12);
+  const winding_field* const fields[] = {box.get(), open.get()};
+  std::vector<std::uint16_t> labels(sizeOf(grid));
+  auto arrays = with(winding_labels_init);
+  arrays.labels = labels.data();
+  const auto warnings = [&]
+  {
+    Warnings told;
+    EXPECT_EQ(winding_label(
+                fields, nullptr, 2, &grid, nullptr, nullptr, nullptr, &arrays, &told.run, nullptr),
+      WINDING_OK);
+    return told.texts;
+  };
+  ASSERT_EQ(warnings().size(), 1u);
+  EXPECT_EQ(warnings()[0].rfind("some solids have no voxel inside", 0), 0u) << warnings()[0];
+  const std::uint8_t areOpen[] = {0, 1};
+  arrays.are_open = areOpen;
+  EXPECT_EQ(warnings().size(), 0u);
+}
+
+TEST(Labels, ThatAreMissingInPartAreTold)
+{
+  const auto movedBy = [](double x)
+  {
+    return shapes::icosphere(2).mapped([x](const Point& p) { return Point(p + Point(x, 0, 0)); });
+  };
+  Mesh comb = movedBy(0);
+  for (int tooth = 0; tooth < 4; ++tooth)
+  {
+    const double x = 5 + 0.3 * tooth;
+    comb = comb.with(shapes::cube({x, -1, -1}, {x + 0.01, 1, 1}));
+  }
+  const Field partly = fieldOf(movedBy(0).with(movedBy(3).reversed())), lost = fieldOf(comb);
+  const winding_grid grid = gridAround({-1, -1, -1}, {6, 1, 1}, 24);
+  const winding_field* const fields[] = {lost.get(), partly.get()};
+  std::vector<std::uint16_t> labels(sizeOf(grid));
+  Warnings told;
+  auto arrays = with(winding_labels_init);
+  arrays.labels = labels.data();
+  ASSERT_EQ(winding_label(
+              fields, nullptr, 2, &grid, nullptr, nullptr, nullptr, &arrays, &told.run, nullptr),
+    WINDING_OK);
+  ASSERT_EQ(told.texts.size(), 3u);
+  EXPECT_NE(told.texts[0].find("1 of 2 solids ('1')"), std::string::npos) << told.texts[0];
+  EXPECT_EQ(told.texts[1].rfind("others hide all voxels", 0), 0u) << told.texts[1];
+  EXPECT_EQ(told.texts[2].rfind("parts of solids look inward and have no label", 0), 0u)
+    << told.texts[2];
+}
+
 TEST(SolidsOfASurface, AreNumberedByTheirTriangles)
 {
   const Mesh ball = shapes::icosphere(2);
