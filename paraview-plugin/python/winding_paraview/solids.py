@@ -347,6 +347,10 @@ def _out_of(names, count):
     return f"{len(names)} of {count} solid{'s' if count > 1 else ''} ({shown})"
 
 
+def _is_of_units(warning):
+    return " to be in another unit: " in warning
+
+
 def legend_of(labels):
     """A line for each label of an image of labels, with its number and its name."""
     facts = labels.GetFieldData()
@@ -364,6 +368,7 @@ class WindingNumberLabels(ImageAlgorithm):
         self.infos = []
         self.open_parts = []
         self.inside_out_count = 0
+        self.warnings_of_grid = []
         self.legend = ""
         self.input_names = {}
         self._kept = (None, None, None)
@@ -422,7 +427,7 @@ class WindingNumberLabels(ImageAlgorithm):
         if ranks.same(int(is_kept)) and is_kept:
             return self._kept[1:]
         solids = Solids(self, data, ranks)
-        handles, self.field_notes = [], list(solids.notes)
+        handles, noted = [], []
         for number, solid in enumerate(solids.solids):
             self.between(0.3 * number / len(solids.solids), 0.3 * (number + 1) / len(solids.solids))
             notes = []
@@ -431,9 +436,14 @@ class WindingNumberLabels(ImageAlgorithm):
             except WindingError as error:
                 error.args = (f"{error}{', ' if '; ' in str(error) else '; '}solid '{solid.name}'",)
                 raise
-            self.field_notes += [f"{note} (solid '{solid.name}')"
-                                 for note in [*solid.parts.notes, *notes]
-                                 if "is empty" not in note]
+            notes = [note for note in [*notes, *solid.parts.notes] if "is empty" not in note]
+            if notes:
+                noted.append((solid.name, "; ".join(notes)))
+        self.field_notes = []
+        if noted:
+            # What the first solid has serves as an example.
+            solids_with = _out_of([name for name, _ in noted], len(solids.solids))
+            self.field_notes = [f"{noted[0][1]} ({solids_with})"]
         self._kept = (key, solids, handles)
         return solids, handles
 
@@ -470,7 +480,7 @@ class WindingNumberLabels(ImageAlgorithm):
             _library.call("winding_describe", field.pointer, ctypes.byref(info))
             self.infos.append(info)
         self.info = max(self.infos, key=lambda info: info.primitives, default=None)
-        self.inside_out_count = 0
+        self.inside_out_count, self.warnings_of_grid = 0, []
         self._label(solids.solids, handles, grid, extent, attributes)
         self._tell_solids(solids)
         self._describe_solids(solids.solids, image)
@@ -504,6 +514,8 @@ class WindingNumberLabels(ImageAlgorithm):
         numbers = (ctypes.c_uint16 * max(1, len(solids)))(*(solid.label for solid in solids))
         names = (ctypes.c_char_p * max(1, len(solids)))(*(solid.name.encode() for solid in solids))
         arrays.names = ctypes.addressof(names)
+        are_open = (ctypes.c_uint8 * max(1, len(solids)))(*(one.is_open_part for one in solids))
+        arrays.are_open = ctypes.addressof(are_open)
         options = _library.LabelOptions(
             overlap_rule=self.value("OverlapRule"), coverage=self.value("Coverage"),
             coverage_samples=self.value("CoverageSamples"),
@@ -519,14 +531,14 @@ class WindingNumberLabels(ImageAlgorithm):
         attributes.SetActiveScalars("Label")
 
     def evaluate(self, name, *arguments):
-        # Its warnings count solids that look inward.
+        # Its warnings count solids that look inward, and come between others.
         start_of_count = "some solids look inward"
-        before = self.warn
+        self.warnings_of_grid = []
 
         def warn(text):
             if text.startswith(start_of_count):
                 self.inside_out_count = int(text.rpartition("; ")[2].split(" ")[0])
-            before(text)
+            self.warnings_of_grid.append(text)
 
         self.warn = warn
         try:
@@ -546,16 +558,24 @@ class WindingNumberLabels(ImageAlgorithm):
         elif empty:
             self.warn("no voxel has the labels of empty blocks: leave them out; "
                       + _out_of(empty, count))
+        for text in self.warnings_of_grid:
+            if _is_of_units(text):
+                self.warn(text)
         inside = [name for name, is_part in are_open if is_part]
         if inside:
-            self.warn("open parts lie inside of closed ones: use Ignore Open Parts; they bound "
-                      "nothing; " + _out_of(inside, count))
+            self.warn("open parts lie inside of closed ones: leave them out (Ignore Open Parts); "
+                      "they bound nothing; " + _out_of(inside, count))
         other = [name for name, is_part in are_open if not is_part]
         if other:
             self.warn("some solids have holes: close them where labels are not right; "
                       + _out_of(other, count))
-        if self.field_notes:
-            self.warn("; ".join(self.field_notes))
+        for text in self.warnings_of_grid:
+            if not _is_of_units(text):
+                self.warn(text)
+        for text in self.field_notes:
+            self.warn(text)
+        if solids.notes:
+            self.warn("; ".join(solids.notes))
         if solids.are_numbered:
             self.warn("labels are counted from 1, for regions are not all 1 to 65535: choose another "
                       "offset (Label Offset); names of the labels say which regions they are")

@@ -378,9 +378,9 @@ class SourceAlgorithm(Algorithm):
             self.field_notes = []
             parts = self.parts(data, ranks)
             if not (self.works_on_first_rank and ranks.rank > 0):
-                self.field_notes.extend(parts.notes)
                 self.between(0, PROGRESS_OF_FIELD)
                 self.field = self.field_of(parts, note=self.field_notes.append)
+                self.field_notes.extend(parts.notes)
             self.field_key = key
             self.prepare_seconds = time.perf_counter() - start
         if self.field is None:
