@@ -35,6 +35,18 @@ def check_cells(data, name):
         check_grid(data, name)
 
 
+def check_arrays(data, name):
+    """Refuses data with an array that has fewer values than there are points or cells."""
+    for attributes, count, items in ((data.GetPointData(), data.GetNumberOfPoints(), "points"),
+                                     (data.GetCellData(), data.GetNumberOfCells(), "cells")):
+        for number in range(attributes.GetNumberOfArrays()):
+            array = attributes.GetAbstractArray(number)
+            if array.GetNumberOfTuples() < count:
+                raise WindingError(
+                    f"mend the data set: {name} has an array '{array.GetName() or ''}' with "
+                    f"{array.GetNumberOfTuples()} values for {count} {items}")
+
+
 def check_grid(grid, name):
     """Refuses an unstructured grid whose cells cannot be followed."""
     types, count = _datasets.cell_types_of(grid), grid.GetNumberOfCells()

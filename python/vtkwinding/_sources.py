@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from . import _datasets, _library, _parts
-from ._checks import check_grid
+from ._checks import check_arrays, check_cells
 from ._errors import WindingError
 from ._outward import inward_polygons
 from .fields import Field
@@ -148,9 +148,12 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
                                "surface first, as by Contour")
         if leaf.GetNumberOfPoints() == 0:
             continue
+        if not leaf.IsA("vtkPolyData"):
+            check_cells(leaf, name)
+            check_arrays(leaf, name)
         has_faces = _datasets.has_faces(leaf)
         if has_faces:
-            skin, counts = _outer_surface(leaf, surface_cells, name)
+            skin, counts = _outer_surface(leaf, surface_cells, as_points)
             left_out += counts[1]
             turned += counts[2]
             loose += 0 if as_points else counts[0]
@@ -272,7 +275,7 @@ def framed(parts, frame):
     return made
 
 
-def _outer_surface(mesh, surface_cells, name):
+def _outer_surface(mesh, surface_cells, keeps_points):
     """The polydata that bounds a mesh with faces; how many loose cells, and cells of the other kind,
     it leaves out; and how many cells it turns."""
     if mesh.IsA("vtkPolyData"):
@@ -282,8 +285,6 @@ def _outer_surface(mesh, surface_cells, name):
     types = _datasets.cell_types_of(mesh) if mesh.IsA("vtkUnstructuredGrid") else None
     loose = left_out = 0
     cells = mesh
-    if types is not None:
-        check_grid(mesh, name)
     ghosts = _datasets.ghosts_of(
         mesh.GetCellData(), _datasets.GHOST_CELLS, mesh.GetNumberOfCells())
     if types is not None:

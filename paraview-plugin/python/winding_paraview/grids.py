@@ -313,6 +313,9 @@ class ImageAlgorithm(GridAlgorithm):
         """Fills an image with the samples of an extent."""
         raise NotImplementedError
 
+    def check_source(self, data, ranks):
+        """Refuses a source that no grid is to be laid over."""
+
     def check_union(self):
         """Refuses arrays that a union of times cannot have."""
 
@@ -406,6 +409,7 @@ class ImageAlgorithm(GridAlgorithm):
             self.update_source(out_info)
         data = self.source()
         self.source_kind = kind_of(data)
+        self.check_source(data, ranks)
         self.lay_out_grid(data, ranks)
 
     def key_of(self, data):
@@ -471,6 +475,7 @@ class ImageAlgorithm(GridAlgorithm):
             self.source_kind = kind_of(data)
             if self.like is not None:
                 self._check_like(vtkImageData.GetData(inputs[1]))
+                self.check_source(data, ranks)
                 grid = self.grid
             else:
                 grid = self.moved_grid(data, ranks)

@@ -17,6 +17,7 @@ from vtkmodules.vtkCommonDataModel import (
 )
 
 from vtkwinding import _datasets, _library, fields
+from vtkwinding._checks import check_arrays, check_cells
 from vtkwinding._errors import WindingError
 from vtkwinding._library import polygons_of
 from vtkwinding._regions import (
@@ -135,7 +136,7 @@ class Solids:
         if not self._ranks.same(len(blocks)):
             raise WindingError("give all ranks the same blocks, of which each may have a part: they "
                                "have different numbers of them")
-        self._ranks.agree(lambda: self._check(blocks))
+        self._ranks.agree(lambda: _check_blocks(blocks, self._options["as_points"]))
         found = []
         for number, (name, block) in enumerate(blocks, 1):
             label = _label(number, f"block '{name}'", "extract fewer blocks")
@@ -144,22 +145,8 @@ class Solids:
             found.append(Solid(label, name, self._gathered(own)))
         return found
 
-    def _check(self, blocks):
-        bare, is_any_surface = "", False
-        for name, block in blocks:
-            for leaf in [] if block is None else [one for _, one in _datasets.leaves_of(block)]:
-                if not isinstance(leaf, vtkPointSet):
-                    raise WindingError(f"block '{name}' is a {leaf.GetClassName()}, no surface or "
-                                       "points: extract a surface first, as by Contour")
-            kind = kind_of(block)
-            is_any_surface |= kind == 1
-            bare = bare or (name if kind == 2 else "")
-        if is_any_surface and bare and not self._options["as_points"]:
-            raise WindingError(
-                f"leave block '{bare}' out, for instance by Extract Block: it has points or lines "
-                "and no surface, as others have")
-
     def _of_data_set(self, data):
+        self._ranks.agree(lambda: _check(data))
         name = self._filter.values["RegionArray"]
         is_none = name == "None" and not data.GetCellData().HasArray("None")
         self._fields = data.GetFieldData()
@@ -282,6 +269,42 @@ class Solids:
                     chosen = np.concatenate([chosen, np.flatnonzero(are_unusable)])
                 found.append((name, self._parts(_part_of(leaf, chosen)), is_open))
         return found
+
+
+def _check_kind(data, as_points):
+    """Refuses what is no source of solids."""
+    if isinstance(data, vtkCompositeDataSet):
+        _check_blocks(blocks_of(data), as_points)
+    else:
+        _check_leaf(data, "the input")
+
+
+def _check_leaf(leaf, name):
+    if not isinstance(leaf, vtkPointSet):
+        raise WindingError(f"{name} is a {leaf.GetClassName()}, no surface or points: extract a "
+                           "surface first (Contour)")
+
+
+def _check_blocks(blocks, as_points):
+    """Refuses blocks of data that are no sources, and points next to surfaces."""
+    bare, is_any_surface = "", False
+    for name, block in blocks:
+        for leaf in [] if block is None else [one for _, one in _datasets.leaves_of(block)]:
+            _check_leaf(leaf, f"block '{name}'")
+        kind = kind_of(block)
+        is_any_surface |= kind == 1
+        bare = bare or (name if kind == 2 else "")
+    if is_any_surface and bare and not as_points:
+        raise WindingError(
+            f"leave block '{bare}' out, for instance by Extract Block: it has points or lines "
+            "and no surface, as others have")
+
+
+def _check(data):
+    """Refuses data whose cells cannot be followed, or whose arrays are too short."""
+    if not isinstance(data, vtkPolyData):
+        check_cells(data, "the source")
+    check_arrays(data, "the source")
 
 
 def _are_faces(data):
@@ -470,6 +493,9 @@ class WindingNumberLabels(ImageAlgorithm):
                                       for found in (others, all_arrays)))
             for name in ("FirstShare", "FirstLabel", "SecondShare", "SecondLabel"):
                 take_better(all_arrays, others, name, lambda theirs, ours: are_larger)
+
+    def check_source(self, data, ranks):
+        ranks.agree(lambda: _check_kind(data, bool(self.value("SourceAsPoints"))))
 
     def make_image(self, data, ranks, grid, extent, image, attributes):
         self.check_verification(True)
