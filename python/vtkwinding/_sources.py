@@ -277,7 +277,8 @@ def framed(parts, frame):
 
 def _outer_surface(mesh, surface_cells, keeps_points):
     """The polydata that bounds a mesh with faces; how many loose cells, and cells of the other kind,
-    it leaves out; and how many cells it turns."""
+    it leaves out; and how many cells it turns. With `keeps_points` curved faces are divided at
+    their own points only."""
     if mesh.IsA("vtkPolyData"):
         return mesh, (mesh.GetNumberOfVerts() + mesh.GetNumberOfLines(), 0, 0)
     if mesh.IsA("vtkExplicitStructuredGrid"):
@@ -306,7 +307,9 @@ def _outer_surface(mesh, surface_cells, keeps_points):
     for attributes, count in ((numbered.GetCellData(), cells.GetNumberOfCells()),
                               (numbered.GetPointData(), cells.GetNumberOfPoints())):
         attributes.AddArray(_datasets.vtk_array_of(mesh, _OWNERS, np.arange(count)))
-    level = _level_for(numbered) if is_curved else 0
+    level = 0
+    if is_curved:
+        level = 1 if keeps_points else _level_for(numbered)
     surface, turned = _looking_outward(cells, _surface_at(numbered, level), is_curved)
     surface = _without_seams(cells, surface)
     surface.GetCellData().RemoveArray(_OWNERS)

@@ -9,7 +9,6 @@ from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet,
     vtkDataObject,
     vtkPointSet,
-    vtkUnstructuredGrid,
 )
 
 from vtkwinding import _datasets, _library, _options
@@ -79,11 +78,12 @@ class PointAreas(Algorithm):
         if not are_estimated and all_parts.normals is not None:
             normals = _unit(all_parts.normals)
         mine = slice(first, first + len(own.points))
-        self._give(sets, found, None if normals is None else normals[mine], areas[mine],
-                   are_estimated)
-        self.total_area = float(np.cumsum(np.concatenate(
-            [[0.0], np.nan_to_num(areas[mine])]))[-1])
+        given = self._give(sets, found, None if normals is None else normals[mine], areas[mine],
+                           are_estimated)
+        self.total_area = float(np.cumsum(np.concatenate([[0.0], *given]))[-1])
         self._tell_unusable(all_parts, areas)
+        if self.total_area == 0 and any(len(areas) for areas in given):
+            self.warn("points at one place have no areas: use Point Area; theirs are 0")
 
     def _tell_unusable(self, parts, areas):
         are_unusable = np.isnan(areas)
@@ -95,8 +95,6 @@ class PointAreas(Algorithm):
             zero = int((are_unusable & are_finite).sum())
             self.warn(f"{count + zero} of {len(areas)} points are unusable and have area 0 ({count} "
                       f"with NaN or infinite values, {zero} with normals of length 0)")
-        if self.total_area == 0 and len(areas):
-            self.warn("the points have no areas: theirs are 0")
 
     def _normals_and_areas(self, parts):
         """Estimated normals, or None where there are some, and areas with NaN for no area."""
@@ -112,10 +110,15 @@ class PointAreas(Algorithm):
         points = np.ascontiguousarray(parts.points)
         if count and parts.normals is None:
             if not self.value("EstimateNormals"):
-                raise WindingError("the points have no normals: use Estimate Normals")
-            normals, estimate = np.empty((count, 3), np.float32), _library.Estimate()
+                raise WindingError(
+                    "the points have no normals: use Estimate Normals, or compute oriented ones "
+                    "first; without them nothing tells inside from outside")
+            normals, estimate, notes = np.empty((count, 3), np.float32), _library.Estimate(), []
             self.call("winding_estimate_normals", _library.array_of(points), ctypes.byref(options),
-                      RUN, pointer(normals), pointer(areas), ctypes.byref(estimate))
+                      RUN, pointer(normals), pointer(areas), ctypes.byref(estimate),
+                      note=notes.append)
+            for note in notes if (areas > 0).any() else []:
+                self.warn(note)
             self.estimation = ESTIMATIONS[estimate.normal_estimation]
             self.clear_share = estimate.clear_share
         elif count and parts.areas is None:
@@ -127,21 +130,24 @@ class PointAreas(Algorithm):
         return normals, areas
 
     def _give(self, sets, found, normals, areas, are_estimated):
-        """Gives each data set its share, in the order of its points."""
+        """Gives each data set its share, in the order of its points. Returns the areas of each."""
         name = self.values["ResultArrayName"] or "Area"
-        first = 0
+        first, given = 0, []
         for data, (leaf, numbers) in zip(sets, found):
             part = slice(first, first + (0 if leaf is None else len(leaf.points)))
             first = part.stop
             own = np.zeros(data.GetNumberOfPoints())
             own[numbers] = np.nan_to_num(areas[part])
+            given.append(own)
             data.GetPointData().AddArray(copied(name, own))
             lacks = self.value("EstimateNormals") and not _has_normals(
                 data, self.values["NormalsArray"])
-            if normals is not None and (are_estimated or lacks):
+            if are_estimated or lacks:
                 directions = np.zeros((len(own), 3), np.float32)
-                directions[numbers] = normals[part]
+                if normals is not None:
+                    directions[numbers] = normals[part]
                 data.GetPointData().SetNormals(copied("Normals", directions, 3))
+        return given
 
 
 def _leaf_of(data, normals_array):
@@ -149,10 +155,6 @@ def _leaf_of(data, normals_array):
     numbered = data.NewInstance()
     numbered.ShallowCopy(data)
     numbered.GetPointData().AddArray(copied(_NUMBERS, np.arange(data.GetNumberOfPoints())))
-    if isinstance(data, vtkUnstructuredGrid) and _datasets.has_curved(
-            _datasets.cell_types_of(data)):
-        raise WindingError("the outer surface of curved cells has points that the input does not "
-                           "have: tessellate the cells first (Tessellate)")
     leaves = source_in_words(numbered, normals_array=normals_array, as_points=True)[0].leaves
     if not leaves:
         return None, np.empty(0, np.int64)
