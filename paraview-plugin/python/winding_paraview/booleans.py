@@ -16,7 +16,7 @@ from vtkwinding._errors import WindingError
 from .algorithm import RUN, copied, declared
 from .grids import sample_count, whole_extent
 from .ranks import Ranks
-from .sources import ask_for_part, blocks_with_names, named_blocks
+from .sources import ask_for_part, blocks_with_names, kind_of, named_blocks
 from .surfaces import SurfaceAlgorithm
 
 _ANY_OTHER = -1  # operand without a threshold or rule of its own
@@ -143,6 +143,7 @@ class WindingNumberBoolean(SurfaceAlgorithm):
         for index, name in enumerate(names):
             # prepare() keeps one field: that of this operand is put in its place.
             self.field_key, self.field, self.field_notes = self._kept.get(index, (None, None, []))
+            self.source_kind = kind_of(data.GetBlock(index))
             with self._naming(name):
                 is_own = self.prepare(data.GetBlock(index), ranks)
             kept[index] = (self.field_key, self.field, self.field_notes)
@@ -150,6 +151,7 @@ class WindingNumberBoolean(SurfaceAlgorithm):
             if is_own:
                 self.infos.append(self.info)
         self._kept = kept
+        self.source_kind = kind_of(data)
         if len(self.infos) < count:
             return False
         self.info = max(self.infos, key=lambda info: info.primitives)

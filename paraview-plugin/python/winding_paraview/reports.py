@@ -24,7 +24,7 @@ from vtkwinding._sources import kept_polygons, turned_polygons
 
 from .algorithm import RUN, Algorithm, add_number, add_text, copied, declared, pointer
 from .ranks import Ranks
-from .sources import Parts, ask_for_part, cloud_of, gathered, source_in_words
+from .sources import ONLY_LINES, Parts, ask_for_part, cloud_of, gathered, source_in_words
 from .surfaces import polydata_of
 
 _DOUBLE = 11
@@ -180,8 +180,7 @@ class SurfaceReport(Algorithm):
         self.call("winding_examine_points", _library.array_of(points),
                   _library.array_of(parts.normals), RUN, ctypes.byref(report), note=advice.append)
         if _has_only_lines(data) and parts.normals is None:
-            advice = ["the input has only lines, which bound nothing: make a surface of them first "
-                      "(Tube)"]
+            advice = [ONLY_LINES]
         add_text(output, "kind", "points")
         _add_members(output, report, _OF_CLOUD)
         for name in _MEASURES_OF_CLOUD:

@@ -44,6 +44,7 @@ DISTRIBUTED, REPLICATED = 1, 2
 AREAS_OF_MESH, CONSTANT_AREA, AREAS_OF_ARRAY = 1, 2, 3
 PROGRESS_OF_FIELD = 0.3
 _SURFACE_CELLS = "Use Surface Cells"
+ONLY_LINES = "the input has only lines, which bound nothing: make a surface of them first (Tube)"
 
 
 def _as_block(data):
@@ -122,6 +123,7 @@ class Parts:
     def __init__(self, points, corners=None, offsets=None, normals=None, areas=None, notes=()):
         self.points, self.corners, self.offsets = points, corners, offsets
         self.normals, self.areas, self.notes = normals, areas, list(notes)
+        self.are_lines = False  # of a rank, which no field is made of
 
     @property
     def is_surface(self):
@@ -164,6 +166,12 @@ def source_in_words(data, **options):
     return source, [note.replace("{surface_cells}", _SURFACE_CELLS) for note in source.notes]
 
 
+def _has_only_lines(source):
+    """Whether all data sets of a source are lines, of which some have no normals."""
+    return any(leaf.normals is None for leaf in source.leaves) and all(
+        _datasets.is_of_lines(leaf.data) for leaf in source.leaves)
+
+
 def parts_of(filter, data, *, as_points=False, areas=None, surface_cells=False,
              normals_array=None, areas_array=None):
     """The parts of a source that this rank has. `areas` is a value of Point Area Method."""
@@ -172,7 +180,9 @@ def parts_of(filter, data, *, as_points=False, areas=None, surface_cells=False,
         areas_array=areas_array if areas == AREAS_OF_ARRAY else None)
     if source.is_surface and not as_points:
         return Parts(source.points, source.corners, source.offsets, notes=notes)
-    return cloud_of(filter, source.leaves, areas, notes)
+    found = cloud_of(filter, source.leaves, areas, notes)
+    found.are_lines = not as_points and _has_only_lines(source)
+    return found
 
 
 def cloud_of(filter, leaves, areas, notes=()):
@@ -224,6 +234,7 @@ def gathered(parts, ranks, distribution):
     is_surface, is_cloud = (kinds == 1).any(), (kinds == 2).any()
     points = ranks.gather(parts.points.astype(float))
     joined = Parts(np.concatenate(points), notes=parts.notes)
+    joined.are_lines = bool(np.concatenate(ranks.gather(np.array([parts.are_lines]))).any())
     are_single = ranks.gather(np.array([parts.points.dtype == np.float32 or not len(parts.points)]))
     if all(one.all() for one in are_single):
         joined.points = joined.points.astype(np.float32)
@@ -394,6 +405,8 @@ class SourceAlgorithm(Algorithm):
 
     def field_of(self, parts, *, note):
         """The field of the library for parts: a handle."""
+        if parts.are_lines:
+            raise WindingError(ONLY_LINES)
         parts = welded(parts, self.value("WeldTolerance"))
         if self.frame is not None:
             parts = framed(parts, self.frame)
