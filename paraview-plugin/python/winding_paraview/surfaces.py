@@ -22,6 +22,7 @@ from .ranks import Ranks
 from .sources import kind_of
 
 _SMOOTH = 0
+_MOST_COUNTED = 100_000  # samples that are looked at for faces that look inward
 _FIDELITY = (("LargestDistanceFromInput", "largest_from_source"),
              ("MeanDistanceFromInput", "mean_from_source"),
              ("LargestDistanceToInput", "largest_to_source"),
@@ -327,7 +328,8 @@ class WindingNumberVoxels(Algorithm):
                   ctypes.byref(mesh.pointer))
         arrays = _library.arrays_of(mesh)
         if arrays["points"] is None:
-            return
+            arrays.update(points=np.empty((0, 3)), corners=np.empty(0, np.int64),
+                          offsets=np.zeros(1, np.int64), labels=np.empty((0, 2), np.uint16))
         # Points are half a voxel before samples, in numbers of voxels.
         first = [image.GetExtent()[2 * axis] + (0.5 if of_cells else 0.0) for axis in range(3)]
         places = arrays["points"] + first
@@ -353,12 +355,14 @@ class WindingNumberVoxels(Algorithm):
                 inside = np.fmod(np.floor(np.abs(numbers) + 0.5), 2) == 1
             else:
                 inside = (np.abs(numbers) if rule == 1 else numbers) >= threshold
-            if rule == 0 and not inside.any():
-                negative = int((numbers < -threshold).sum())
-                if negative and threshold > 0:
-                    self.warn("the faces or normals look inward, so nothing is inside: turn them "
-                              "(Orient Faces), or use Inside Rule: Absolute; "
-                              f"{negative} of {len(numbers)} samples are below {-threshold:g}")
+            if rule == 0 and threshold > 0 and not inside.any():
+                samples = numbers[::len(numbers) // _MOST_COUNTED + 1]
+                share = float((samples <= -threshold).sum() / len(samples))
+                if share > 0:
+                    self.warn(
+                        "faces or normals look inward: use Inside Rule: Absolute, or turn the "
+                        f"faces or normals (Orient Faces); w is -{threshold:.3g} or less at "
+                        f"{_percent_of(share)} of the samples, and {threshold:.3g} or more at 0 %")
         return inside.astype(np.uint8)
 
     @staticmethod
@@ -397,6 +401,11 @@ class WindingNumberVoxels(Algorithm):
         array = copied("Coverage", shares[_voxels_of(places, corners, counts, image, of_cells)],
                        coverage.GetNumberOfComponents())
         output.GetCellData().SetScalars(array)
+
+
+def _percent_of(share):
+    """A share as the core prints it."""
+    return f"{100 * share:.2g} %" if share < 0.095 else f"{100 * share:.0f} %"
 
 
 def _voxels_of(places, corners, counts, image, of_cells):
