@@ -483,6 +483,134 @@ def of_what_is_refused(ball):
         note(f"{filter.__name__} of nothing", filter(Input=nothing))
 
 
+def of_points_of_few_kinds(nothing):
+    """Areas of the points of curved cells, of one place, and of nothing."""
+    for kind in (22, 24, 29):
+        curved = simple.UnstructuredCellTypes(CellType=kind, BlocksDimensions=[2, 2, 2])
+        for method in ("Voronoi", "Mesh", "Constant"):
+            note(f"{method} areas of curved cells {kind}", simple.PointAreas(
+                Input=curved, PointAreaMethod=method))
+    place = simple.PolyLineSource(Points=[1, 1, 1] * 3)
+    for name, data in (("one place", place), ("nothing", nothing)):
+        for estimates in (0, 1):
+            note(f"areas of {name}, {estimates}", simple.PointAreas(
+                Input=data, EstimateNormals=estimates))
+
+
+SHORT = """
+from vtkmodules.vtkCommonCore import vtkIntArray
+output.ShallowCopy(inputs[0].VTKObject)
+array = vtkIntArray()
+array.SetName("Short")
+array.SetNumberOfTuples(3)
+array.Fill(1)
+output.GetCellData().AddArray(array)
+"""
+
+
+def of_parts_as_clouds(ball):
+    """Parts and regions, with normals of their own, as clouds; and arrays that are too short."""
+    two = simple.AppendGeometry(Input=[ball, simple.Sphere(Center=[3, 0, 0], Radius=1)])
+    names = simple.ProgrammableFilter(Input=two, Script=NAMES)
+    for name, data, settings in (
+            ("parts", two, {}), ("names", names, {}),
+            ("strips", simple.TriangleStrips(Input=two), {}),
+            ("a grid", simple.AppendDatasets(Input=names), {}),
+            ("regions", names, {"RegionArray": "ObjectIds"}),
+            ("regions of a grid", simple.AppendDatasets(Input=names),
+             {"RegionArray": "ObjectIds"})):
+        for method in ("Voronoi", "Mesh"):
+            note(f"{name} as clouds, {method}", simple.WindingNumberLabels(
+                Input=data, InputAsPoints=1, Resolution=12, PointAreaMethod=method, **settings))
+    short = simple.ProgrammableFilter(Input=two, Script=SHORT)
+    for array in ("None", "Short"):
+        note(f"labels by {array} of short arrays", simple.WindingNumberLabels(
+            Input=short, Resolution=12, RegionArray=array))
+    grid = simple.AppendDatasets(Input=short)
+    for filter in (simple.WindingNumberLabels, simple.WindingNumberField, simple.PointAreas,
+                   simple.SurfaceReport):
+        note(f"{filter.__name__} of a grid with short arrays", filter(Input=grid))
+
+
+def of_warnings_of_solids(ball):
+    """All that is said of solids, in its order."""
+    sheet = simple.Plane(Origin=[-0.2] * 3, Point1=[0.2, -0.2, -0.2], Point2=[-0.2, 0.2, -0.2])
+    inside = simple.AppendGeometry(Input=[simple.Sphere(Radius=1), sheet])
+    note("a sheet inside", simple.WindingNumberLabels(Input=inside, Resolution=12))
+    bowl = simple.Sphere(Radius=0.3, EndPhi=100, ThetaResolution=12, PhiResolution=8)
+    inward = simple.ReverseSense(Input=simple.Sphere(Center=[3, 0, 0]))
+    comb = simple.AppendGeometry(Input=[simple.Box(), *(
+        simple.Box(Center=[2 + 0.3 * n, 0, 0], XLength=0.01, YLength=2, ZLength=2)
+        for n in range(4))])
+    solids = [simple.Sphere(Radius=1), bowl, inward, simple.Sphere(Radius=0.001), inside, comb,
+              simple.AppendGeometry(Input=[ball, inward])]
+    for name, settings in (
+            ("seldom", {"Resolution": 24}), ("coarse", {"Resolution": 4}),
+            ("missed", {"Resolution": 8, "UseInputBounds": 0, "SamplingBounds": [-0.5, 0.5] * 3}),
+            ("by a high threshold", {"Resolution": 8, "WindingThreshold": 1.5})):
+        note(f"solids, {name}", simple.WindingNumberLabels(
+            Input=simple.GroupDatasets(Input=solids), **settings))
+    bowl_apart = simple.Transform(Input=bowl)
+    bowl_apart.Transform.Translate = [50, 0, 0]
+    note("solids in two units", simple.WindingNumberLabels(Resolution=16, Input=[
+        bowl_apart, simple.Box(XLength=100, YLength=100, ZLength=100),
+        simple.Box(XLength=0.1, YLength=0.1, ZLength=0.1)]))
+
+
+def of_lines(ball):
+    """Lines, alone and next to surfaces."""
+    lines = simple.PolyLineSource(Points=[0, 0, 0, 1, 0, 0, 1, 1, 0])
+    for name, data in (("polydata", lines), ("a grid", simple.AppendDatasets(Input=lines))):
+        group = simple.GroupDatasets(Input=[data, ball, data])
+        for fix in (0, 1):
+            note(f"report on lines of {name} next to a ball, {fix}", simple.SurfaceReport(
+                Input=group, FixOrientation=fix))
+        note(f"labels of lines of {name} next to a ball", simple.WindingNumberLabels(Input=group))
+        note(f"boolean of lines of {name}", simple.WindingNumberBoolean(
+            Input=ball, Others=data, Resolution=12))
+        for filter in (simple.WindingNumberField, simple.WindingNumberLabels, simple.PointAreas):
+            note(f"{filter.__name__} of lines of {name}", filter(
+                Input=simple.GroupDatasets(Input=[data, data])))
+    loose = simple.ProgrammableFilter(
+        Input=simple.AppendGeometry(Input=[ball, lines]), Script=NAMES)
+    for name, data in (("polydata", loose), ("a grid", simple.AppendDatasets(Input=loose))):
+        for array in ("None", "ObjectIds"):
+            note(f"labels by {array} of {name} with lines", simple.WindingNumberLabels(
+                Input=data, Resolution=12, RegionArray=array))
+
+
+def of_empty_voxels(ball):
+    """Voxels of which none is inside."""
+    field = simple.WindingNumberField(Input=simple.ReverseSense(Input=ball), Resolution=16)
+    for threshold in (0.5, 3):
+        note(f"voxels that look inward, by {threshold}", simple.WindingNumberVoxels(
+            Input=field, Source=ball, GenerateNearestCells=1, WindingThreshold=threshold))
+    unlabelled = simple.WindingNumberLabels(Input=simple.ReverseSense(Input=ball), Resolution=8)
+    note("voxels without a label", simple.WindingNumberVoxels(Input=unlabelled))
+    note("voxels without coverage", simple.WindingNumberVoxels(
+        Input=mirrored_image(), WindingThreshold=5))
+
+
+def of_numbers_out_of_range(ball):
+    """Values that a panel does not offer, and what it offers in words."""
+    for name, value in (
+            ("Method", 9), ("InsideRule", 3), ("PointAreaMethod", 4), ("NormalEstimation", 3),
+            ("SourceDistribution", 3), ("OverlapRule", 4), ("Coverage", 3), ("CoverageArrays", 2),
+            ("OutputAssociation", 2), ("NumberOfNeighbors", 2), ("NumberOfNeighbors", 1001),
+            ("Regularization", 5), ("CoverageSamples", 11), ("LabelOffset", -65536)):
+        labels = simple.WindingNumberLabels(Input=ball)
+        labels.SMProxy.GetProperty(name).SetElement(0, value)
+        labels.SMProxy.UpdateVTKObjects()
+        note(f"labels with {name} {value}", labels)
+    areas = simple.PointAreas(Input=ball)
+    areas.SMProxy.GetProperty("PointAreaMethod").SetElement(0, 3)
+    areas.SMProxy.UpdateVTKObjects()
+    note("areas of another method", areas)
+    named = simple.ProgrammableFilter(Input=ball, Script=NAMES)
+    note("a report that is refused has no names", simple.SurfaceReport(
+        Input=named, FaultThickness=2))
+
+
 def run(folder):
     simple.LoadPlugin(os.environ["WINDING_PLUGIN"], remote=False)
     vtkObject.GlobalWarningDisplayOn()
@@ -549,6 +677,12 @@ def run(folder):
     note("askew", simple.WindingNumberField(Input=balls[0], Like=askew))
     note("no source", simple.WindingNumberProbe(Input=balls[0]))
     note("an image as a source", simple.WindingNumberField(Input=box))
+    nothing = simple.Slice(Input=balls[0])
+    nothing.SliceType.Origin = [9, 9, 9]
+    of_points_of_few_kinds(nothing)
+    for of_these in (of_parts_as_clouds, of_warnings_of_solids, of_lines, of_empty_voxels,
+                     of_numbers_out_of_range):
+        of_these(balls[0])
 
 
 if __name__ == "__main__":
