@@ -180,7 +180,9 @@ def parts_of(filter, data, *, as_points=False, areas=None, surface_cells=False,
         areas_array=areas_array if areas == AREAS_OF_ARRAY else None)
     if source.is_surface and not as_points:
         return Parts(source.points, source.corners, source.offsets, notes=notes)
-    found = cloud_of(filter, source.leaves, areas, notes)
+    # Lines come last, as in C++: the order of points is the order of sums.
+    leaves = sorted(source.leaves, key=lambda leaf: _datasets.is_of_lines(leaf.data))
+    found = cloud_of(filter, leaves, areas, notes)
     found.are_lines = not as_points and _has_only_lines(source)
     return found
 
