@@ -3,12 +3,11 @@
 #include "Evaluation.h"
 #include "Handles.h"
 #include "field/FieldVolume.h"
+#include "field/InsideOut.h"
 #include "messages/PropertyChecks.h"
 #include "report/GridAdvice.h"
 #include "report/InputUnits.h"
-#include "report/InsideOutAdvice.h"
-#include "report/LabelFacts.h"
-#include "report/ThinParts.h"
+#include "report/LabelAdvice.h"
 #include "source/Sanitize.h"
 #include "surface/OpenParts.h"
 #include "surface/Orientation.h"
@@ -73,87 +72,6 @@ winding::LabelArrays arraysOf(
   return arrays;
 }
 
-/// The samples of labels, and which of them are inside.
-struct Sampling
-{
-  Grid grid;
-  winding::InsideRule rule;
-  double threshold;
-  bool isOfCenters;
-};
-
-/// Warns of solids without a label, as a whole or in part.
-void warnOfSolids(
-  const winding::LabelFacts& facts, std::size_t count, const Sampling& sampling, Call& call)
-{
-  const std::string causes = "faces or normals";
-  if (facts.insideOut.count() > 0)
-  {
-    call.warn(winding::Message("some solids look inward and have no label",
-      winding::waysOutOfInward(causes), facts.insideOut.outOf(count)));
-  }
-  const auto advice = winding::gridAdvice(sampling.grid, facts.source.bounds, {});
-  if (advice && facts.missed.count() == 0 && facts.source.primitives > 0)
-  {
-    call.warn(*advice);
-  }
-  if (facts.missed.count() > 0)
-  {
-    call.warn(winding::Message("the grid misses some solids",
-      {{"choose a grid around them", {winding::Parameter::samplingBounds}}},
-      facts.missed.outOf(count)));
-  }
-  if (facts.thin.count() > 0)
-  {
-    constexpr int any = WINDING_COVERAGE_ANY;
-    std::vector<winding::Remedy> remedies = {
-      winding::smallerVoxels(), {"label what they touch", {{winding::Parameter::coverage, any}}}};
-    if (sampling.rule != winding::InsideRule::odd && sampling.threshold > 0.5)
-    {
-      remedies.insert(remedies.begin(), winding::lowerThreshold());
-    }
-    call.warn(
-      winding::Message("some solids have no voxel inside", remedies, facts.thin.outOf(count)));
-  }
-  if (facts.lostInPart.count() > 0)
-  {
-    winding::Message lost =
-      winding::thinPartsAdvice(facts.largestLoss, sampling.grid, sampling.isOfCenters);
-    lost.facts += "; " + facts.lostInPart.outOf(count);
-    call.warn(lost);
-  }
-  if (facts.hidden.count() > 0)
-  {
-    call.warn(winding::Message("others hide all voxels of some solids",
-      {{"", {{winding::Parameter::overlapRule, WINDING_OVERLAP_RULE_SMALLEST}}}},
-      facts.hidden.outOf(count)));
-  }
-  if (facts.partlyInsideOut.count() > 0)
-  {
-    call.warn(winding::Message("parts of solids look inward and have no label",
-      winding::waysOutOfInward(causes), facts.partlyInsideOut.outOf(count)));
-  }
-}
-
-/// Counts a solid if parts of it are lost between samples, and have no label there.
-void lookForThinParts(const Field& field, const winding::LabelArrays& arrays,
-  const Sampling& sampling, const std::string& name, winding::LabelFacts& facts, Call& call)
-{
-  const auto parts = winding::thinPartsOf(
-    field, sampling.grid,
-    [&arrays](int i, int j, int k)
-    { return arrays.labels[winding::sampleNumber(arrays.extent, i, j, k)] != 0; },
-    sampling.rule, sampling.threshold, call.executor);
-  if (parts && parts->areWorthTelling())
-  {
-    facts.lostInPart.add(name);
-    if (parts->share > facts.largestLoss.share)
-    {
-      facts.largestLoss = *parts;
-    }
-  }
-}
-
 } // namespace
 
 void winding_label_options_init(winding_label_options* options, size_t size)
@@ -194,7 +112,7 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
       std::vector<float> best(wished.overlap_rule == WINDING_OVERLAP_RULE_LARGEST ? voxels : 0);
       arrays.best = best.empty() ? nullptr : best.data();
       const winding::InsideRule insideRule = ruleOf(inside);
-      const Sampling sampling = {
+      const winding::LabelSampling sampling = {
         samples, insideRule, inside.winding_threshold, wished.coverage == WINDING_COVERAGE_CENTER};
       winding::LabelMerge merge(arrays, static_cast<winding::OverlapRule>(wished.overlap_rule),
         insideRule == winding::InsideRule::absoluteThreshold, call.executor);
@@ -252,7 +170,11 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
         }
         else if (hasVoxels[i])
         {
-          lookForThinParts(field, arrays, sampling, nameOf(i), facts, call);
+          const auto hasLabel = [&arrays](int x, int y, int z)
+          {
+            return arrays.labels[winding::sampleNumber(arrays.extent, x, y, z)] != 0;
+          };
+          winding::countThinParts(field, hasLabel, sampling, nameOf(i), call.executor, facts);
         }
         else if (!field.info().hasNoSides && !(given.are_open && given.are_open[i] != 0))
         {
@@ -292,7 +214,10 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
       }
       if (isWhole)
       {
-        warnOfSolids(facts, count, sampling, call);
+        for (const winding::Message& advice : winding::labelAdvice(facts, count, sampling))
+        {
+          call.warn(advice);
+        }
       }
     });
 }

@@ -18,8 +18,7 @@
 #include "private/source/SourceProperties.h"
 #include "report/GridAdvice.h"
 #include "report/InputUnits.h"
-#include "report/InsideOutAdvice.h"
-#include "report/LabelFacts.h"
+#include "report/LabelAdvice.h"
 #include "report/Verify.h"
 #include "source/Grid.h"
 #include "surface/OpenParts.h"
@@ -240,6 +239,12 @@ bool vtkWindingNumberLabels::CountInward(const winding::Field& field,
   return isInward;
 }
 
+winding::LabelSampling vtkWindingNumberLabels::GetLabelSampling() const
+{
+  return {this->GetSampling(), winding::coreInsideRule(this->InsideRule), this->WindingThreshold,
+    this->MayTouchVoxels()};
+}
+
 /// Counts a solid if parts of it are lost between voxels, which have no label there.
 void vtkWindingNumberLabels::LookForThinParts(
   const winding::Field& field, const winding::LabelImage& labels, const std::string& name)
@@ -247,19 +252,11 @@ void vtkWindingNumberLabels::LookForThinParts(
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   executor.setShare(1, 1);
   const winding::LabelArrays& arrays = labels.arrays();
-  const auto parts = winding::thinPartsOf(
-    field, this->GetSampling(),
-    [&arrays](int i, int j, int k)
-    { return arrays.labels[winding::sampleNumber(arrays.extent, i, j, k)] != 0; },
-    winding::coreInsideRule(this->InsideRule), this->WindingThreshold, executor);
-  if (parts && parts->areWorthTelling())
+  const auto hasLabel = [&arrays](int i, int j, int k)
   {
-    this->Facts->lostInPart.add(name);
-    if (parts->share > this->Facts->largestLoss.share)
-    {
-      this->Facts->largestLoss = *parts;
-    }
-  }
+    return arrays.labels[winding::sampleNumber(arrays.extent, i, j, k)] != 0;
+  };
+  winding::countThinParts(field, hasLabel, this->GetLabelSampling(), name, executor, *this->Facts);
 }
 
 /// Counts the solids that have voxels inside, but none with their label.
@@ -435,52 +432,10 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
     vtkWarningMacro(<< "some solids have holes: close them where labels are not right; "
                     << facts.open.outOf(count));
   }
-  if (facts.insideOut.count() > 0)
+  for (const winding::Message& advice :
+    winding::labelAdvice(facts, count, this->GetLabelSampling()))
   {
-    vtkWarningMacro(<< winding::lineOf({"some solids look inward and have no label",
-                      winding::waysOutOfInward("faces or normals"), facts.insideOut.outOf(count)}));
-  }
-  const auto advice =
-    winding::gridAdvice(this->GetSampling(), facts.source.bounds, winding::GridResult());
-  if (advice && facts.missed.count() == 0 && facts.source.primitives > 0)
-  {
-    vtkWarningMacro(<< winding::lineOf(*advice));
-  }
-  if (facts.missed.count() > 0)
-  {
-    vtkWarningMacro(<< winding::lineOf({"the grid misses some solids",
-                      {{"choose a grid around them", {winding::Parameter::samplingBounds}}},
-                      facts.missed.outOf(count)}));
-  }
-  if (facts.thin.count() > 0)
-  {
-    std::vector<winding::Remedy> remedies = {
-      winding::smallerVoxels(), {"label what they touch", {{winding::Parameter::coverage, ANY}}}};
-    if (this->HasHighThreshold())
-    {
-      remedies.insert(remedies.begin(), winding::lowerThreshold());
-    }
-    vtkWarningMacro(<< winding::lineOf(
-                      {"some solids have no voxel inside", remedies, facts.thin.outOf(count)}));
-  }
-  if (facts.lostInPart.count() > 0)
-  {
-    winding::Message lost =
-      winding::thinPartsAdvice(facts.largestLoss, this->GetSampling(), this->MayTouchVoxels());
-    lost.facts += "; " + facts.lostInPart.outOf(count);
-    vtkWarningMacro(<< winding::lineOf(lost));
-  }
-  if (facts.hidden.count() > 0)
-  {
-    vtkWarningMacro(<< winding::lineOf({"others hide all voxels of some solids",
-                      {{"", {{winding::Parameter::overlapRule, SMALLEST_VOLUME}}}},
-                      facts.hidden.outOf(count)}));
-  }
-  if (facts.partlyInsideOut.count() > 0)
-  {
-    vtkWarningMacro(<< winding::lineOf({"parts of solids look inward and have no label",
-                      winding::waysOutOfInward("faces or normals"),
-                      facts.partlyInsideOut.outOf(count)}));
+    vtkWarningMacro(<< winding::lineOf(advice));
   }
   if (facts.warned.count() > 0)
   {

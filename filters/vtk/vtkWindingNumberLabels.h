@@ -78,6 +78,7 @@ namespace winding
 class LabelImage;
 class Solids;
 struct LabelFacts;
+struct LabelSampling;
 struct LabelImageOptions;
 struct SolidEvaluationOptions;
 } // namespace winding
@@ -216,6 +217,7 @@ private:
   winding::SolidEvaluationOptions GetEvaluationOptions() const;
   const winding::Field& PrepareSolid(const winding::Solids& solids, std::size_t number);
   void MergeSolids(const winding::Solids& solids, winding::LabelImage& labels);
+  winding::LabelSampling GetLabelSampling() const;
   void LookForThinParts(
     const winding::Field& field, const winding::LabelImage& labels, const std::string& name);
   bool CountInward(const winding::Field& field, const winding::SideCounts& sides, bool hasInside,
