@@ -6,6 +6,8 @@ Usage: options_test.py <root of the repository>. Reads filters/Options.def and t
 line for each fault, and fails if there is any.
 """
 
+import ast
+import math
 import pathlib
 import re
 import sys
@@ -149,6 +151,17 @@ def check_panels(root, options):
                         yield f"{where}: {entry.get('text')} is {names[1]} in the list"
 
 
+def check_plugin_in_python(root, options):
+    """The plugin in Python, which reads lowest values from the panels, has the highest ones."""
+    text = (root / "paraview-plugin/python/winding_paraview/declarations.py").read_text()
+    has = ast.literal_eval(re.search(r"^_HIGHEST = (\{.*?\})$", text, re.MULTILINE | re.DOTALL)[1])
+    bounded = {option.property: option.highest for option in options
+               if option.kind in ("number", "integer") and option.highest < math.inf}
+    for name, highest in {**has, **bounded}.items():
+        if has.get(name) != bounded.get(name):
+            yield f"{name}: the plugin in Python takes up to {has.get(name)}, the list {highest}"
+
+
 def check_front_ends(root, options):
     program = "".join(path.read_text() for path in (root / "apps/winding/options").glob("*.cxx"))
     python = "".join(path.read_text() for path in (root / "python/vtkwinding").glob("*.py"))
@@ -167,7 +180,8 @@ def check_front_ends(root, options):
 def main(root):
     options = options_in(root / "filters" / "Options.def")
     faults = [*check_classes(root, options), *check_choices(root, options),
-              *check_hash(root, options), *check_panels(root, options), *check_front_ends(root, options)]
+              *check_hash(root, options), *check_panels(root, options),
+              *check_plugin_in_python(root, options), *check_front_ends(root, options)]
     print(f"{len(options)} options")
     for fault in faults:
         print("FAULT", fault)
