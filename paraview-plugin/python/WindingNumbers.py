@@ -24,7 +24,7 @@ class _Proxies:
 
 
 def _start():
-    """The texts of XML. What is missing is said in one line, which ParaView might not pass on."""
+    """Returns the texts of XML. Says in one line what is missing; ParaView might not."""
     needs = "Winding Numbers needs "
     if sys.version_info < (3, 9):
         return _fail(f"{needs}ParaView 5.11 or newer, with Python 3.9 or newer: this is Python "

@@ -31,12 +31,12 @@ def version():
 
 
 def name_of(library):
-    """The name under which the library is in the zip: without numbers of versions."""
+    """Returns the name under which the library is in the zip: without numbers of versions."""
     return re.sub(r"(\.so)(\.\d+)+$", r"\1", pathlib.Path(library).name)
 
 
 def contents(library, licences):
-    """The files of the zip: names, and texts or bytes."""
+    """Yields the files of the zip: names, and texts or bytes."""
     plugin = (HERE / "WindingNumbers.py").read_text(encoding="utf-8")
     yield "WindingNumbers.py", plugin.replace("@VERSION@", version())
     yield "LICENSE", (ROOT / "LICENSE").read_text(encoding="utf-8")

@@ -19,7 +19,7 @@ _PASSED_OVER = {"vtkGhostType", NUMBERS, "vtkOriginalCellIds", "vtkOriginalPoint
 
 
 def numbered(data):
-    """A data set that shares the arrays of another, with the numbers of its cells and points."""
+    """Returns a data set with the arrays of another, and the numbers of its cells and points."""
     copy = data.NewInstance()
     if data.IsA("vtkCompositeDataSet"):
         copy.CopyStructure(data)
@@ -65,7 +65,7 @@ class Attributes:
         return leaf.data.GetPointData() if of_points else leaf.data.GetCellData()
 
     def _names_of(self, index, name):
-        """The names that belong to numbers, 'ObjectNames' to 'ObjectIds', of a leaf."""
+        """Returns the names that belong to numbers, 'ObjectNames' to 'ObjectIds', of a leaf."""
         array = self._fields[index].GetAbstractArray(name[:-3] + "Names") if (
             name.endswith("Ids") and len(name) > 3) else None
         if array is None or not array.IsA("vtkStringArray"):
@@ -73,8 +73,8 @@ class Attributes:
         return [array.GetValue(row) for row in range(array.GetNumberOfValues())]
 
     def _arrays(self, of_points):
-        """The arrays that all leaves have: name, values, whether there are values in between, the
-        attribute that each is in the first leaf, and the names of numbers or None."""
+        """Returns the arrays that all leaves have: name, values, whether there are values in
+        between, the attribute that each is in the first leaf, and the names of numbers or None."""
         found, seen = [], set(_PASSED_OVER)
         leaves = self._source.leaves
         for index, leaf in enumerate(leaves):
@@ -113,12 +113,12 @@ class Attributes:
             self._left_out.append(name)
 
     def _is_taken(self, name, target):
-        """Whether the result has an array of a name already, or gets one of its own."""
+        """Returns whether the result has an array of a name already, or gets one of its own."""
         return bool(target.HasArray(name)) or self._numbers and (
             name == "NearestCell" or self._is_composite and name == "NearestBlock")
 
     def _taken(self, surface):
-        """The arrays whose names the result has already; normals are its own, as any surface's."""
+        """Returns the arrays whose names the result has already; its normals are its own."""
         names = []
         for arrays, target in ((self._of_points, surface.GetPointData()),
                                (self._of_cells, surface.GetCellData())):
@@ -142,7 +142,7 @@ class Attributes:
 
     @staticmethod
     def _values(leaf, array, of_points):
-        """The values of the points or polygons of a leaf."""
+        """Returns the values of the points or polygons of a leaf."""
         rows = leaf.rows if of_points else leaf.cells
         if array.IsNumeric():
             return _datasets.array_of(leaf.data, array)[rows]
@@ -176,7 +176,7 @@ class Attributes:
         self._note_left_out(taken)
 
     def numbers_at(self, samples, show=None):
-        """'NearestCell' and, of composite data, 'NearestBlock' of samples: arrays by their names."""
+        """Returns 'NearestCell' of samples and, of composite data, 'NearestBlock', by name."""
         source = self._source
         found = find_places(
             source.points, source.polygons() if source.is_surface else None,
@@ -221,7 +221,7 @@ class Attributes:
         target.AddArray(array)
 
     def _ids(self, nearest, are_near):
-        """The ids of cells or points in their own data sets, and the flat indices of these."""
+        """Returns the ids of cells or points in their data sets, and the sets' flat indices."""
         source = self._source
         of_points = not source.is_surface
         ids = [_datasets.array_of(leaf.data, self._attributes(leaf, of_points).GetArray(NUMBERS))[
@@ -236,13 +236,13 @@ class Attributes:
 
 
 def _has_room_for_names(values):
-    """Whether numbers stay what they are in a longer list of names."""
+    """Returns whether numbers stay what they are in a longer list of names."""
     return values.ndim == 1 and values.dtype.kind == "i" and values.dtype.itemsize >= 4
 
 
 def _united(parts, names):
-    """Numbers in the lists of names of their parts, as numbers in one list, -1 without a name; and
-    this list: the names of the first part, and new ones of the next."""
+    """Returns numbers in the lists of names of their parts, as numbers in one list, -1 without a
+    name; and this list: the names of the first part, and new ones of the next."""
     known, made = {}, []
     for values, own in zip(parts, names):
         numbers = np.array([known.setdefault(name, len(known)) for name in own] + [-1], np.int64)
@@ -252,7 +252,7 @@ def _united(parts, names):
 
 
 def _rows_of(values, rows, are_near):
-    """The values of some rows; nothing, 0 or NaN where there is none."""
+    """Returns the values of some rows; nothing, 0 or NaN where there is none."""
     made = np.zeros((len(rows), *values.shape[1:]), values.dtype)
     if values.dtype == object:
         made[:] = ""
@@ -263,8 +263,8 @@ def _rows_of(values, rows, are_near):
 
 
 def _between(values, found, is_continuous, are_near):
-    """The values between three points, or at the point with the largest weight, of which the
-    least counts where several are equal."""
+    """Returns the values between three points, or at the point with the largest weight, of which
+    the least counts where several are equal."""
     if not is_continuous:
         best, largest = found.corners[:, 0].copy(), found.weights[:, 0].copy()
         for corner in (1, 2):

@@ -18,7 +18,7 @@ def boolean(solids: list[fields.Field], operation: str = "union", *, resolution:
             bounds: ArrayLike | None = None, padding: float = 0.05, features: str = "smooth",
             close_border: bool = False, dtype: DTypeLike | None = None
             ) -> tuple[FloatArray, IdArray]:
-    """The surface of what an operation makes of solids: vertices (V, 3) and faces (F, 3).
+    """Returns the surface of what an operation makes of solids: vertices (V, 3) and faces (F, 3).
 
     Each field is one solid, by its own threshold and rule. operation: 'union', 'intersection',
     'difference', the first without the others, or 'xor', what an odd number of them have. The other
@@ -50,13 +50,13 @@ def boolean(solids: list[fields.Field], operation: str = "union", *, resolution:
 
 
 def reaches_beyond(rule, threshold, sheet_side):
-    """Whether a solid may reach beyond its source: with a low threshold, beyond the rim of a sheet."""
+    """Returns whether a solid may reach beyond its source, as beyond a rim with low thresholds."""
     return bool(sheet_side) or (rule != _options.RULES["odd"] and threshold < 0.5)
 
 
 def reach_of(boxes, operation, are_beyond):
-    """The box that the result of an operation can reach; None for no source. The boxes are the
-    bounds of the sources, or None. Solids that reach beyond theirs set no limit to others."""
+    """Returns the box that the result of an operation can reach; None for no source. The boxes are
+    the bounds of the sources, or None. Solids that reach beyond theirs set no limit to others."""
     if operation == _options.OPERATIONS["difference"] and boxes and boxes[0] is not None:
         return list(boxes[0])
     there = np.array([box for box in boxes if box is not None])
@@ -74,7 +74,7 @@ def reach_of(boxes, operation, are_beyond):
 
 
 def reach_of_fields(solids, sides, operation):
-    """The box that the result of an operation on fields can reach; None for no source."""
+    """Returns the box that the result of an operation on fields can reach; None for no source."""
     return reach_of([fields.box_of([solid]) for solid in solids], operation, [
         reaches_beyond(one.rule.inside_rule, one.rule.winding_threshold,
                        solid._options["sheet_side"])
@@ -82,7 +82,7 @@ def reach_of_fields(solids, sides, operation):
 
 
 def combine(solids, sides, operation, grid, *, show=None, generate_normals=0, **settings):
-    """The arrays of the surface as triangles; 'numbers' say which solid each lies on."""
+    """Returns the arrays of the surface as triangles; 'numbers' say which solid each lies on."""
     handles = (ctypes.c_void_p * len(solids))(*(solid._handle(False).value for solid in solids))
     rules = (_library.Rule * len(solids))(*(one.rule for one in sides))
     options = _library.SurfaceOptions(

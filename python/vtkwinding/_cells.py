@@ -30,7 +30,7 @@ class Cells(NamedTuple):
 
 
 def all_cells_of(leaves):
-    """The cells of data sets, with points of their own."""
+    """Returns the cells of data sets, with points of their own."""
     made = [_cells_of(leaf) for leaf in leaves]
     points, ids, offsets = [np.empty((0, 3))], [np.empty(0, np.int64)], [np.zeros(1, np.int64)]
     before = end = 0
@@ -48,7 +48,7 @@ def all_cells_of(leaves):
 
 
 def _cells_of(data):
-    """The points, types, corners and offsets of all cells of a data set, and how many are curved."""
+    """Returns points, types, corners and offsets of all cells, and the number of curved ones."""
     check_cells(data, "the data set")
     grid = data
     if not data.IsA("vtkUnstructuredGrid"):
@@ -79,7 +79,7 @@ def _cells_of(data):
 
 
 def _replaced(grid, cell, kind, corners, offsets, points):
-    """The type and the ids of a cell that is no linear one, as the library has them."""
+    """Returns the type and the ids of a cell that is no linear one, as the library has them."""
     ids = corners[offsets[cell]:offsets[cell + 1]]
     if kind in _STRAIGHT:
         straight, count = _STRAIGHT[kind]
@@ -102,7 +102,7 @@ def _replaced(grid, cell, kind, corners, offsets, points):
 
 
 def _shifted(types, corners, offsets, by):
-    """The corners of cells whose points come after `by` others."""
+    """Returns the corners of cells whose points come after `by` others."""
     if not by or not (types == POLYHEDRON).any():
         return corners + by
     moved = corners + by

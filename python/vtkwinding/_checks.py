@@ -79,7 +79,7 @@ def _can_have(kind, sizes, grid):
 
 
 def _check_ids(data, cells, first, name):
-    """The number of cells, the first of which has the number `first`."""
+    """Returns the number of cells, the first of which has the number `first`."""
     points, count = data.GetNumberOfPoints(), cells.GetNumberOfCells()
     if not cells.IsValid():
         raise WindingError(

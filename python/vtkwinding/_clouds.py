@@ -14,7 +14,7 @@ _CONSTANT, _MESH = 2, 1  # of the options' AREA_METHODS
 
 
 def normals_to_turn(source, show=None):
-    """Of each point of a cloud, 1 where its normal is to be turned to look outward."""
+    """Returns for each point of a cloud 1 where its normal is to be turned to look outward."""
     if source.normals is None:
         raise WindingError("the points have no normals to be turned: give normals, or have "
                                     "them estimated (estimate_areas, estimate_normals=True)")
@@ -26,7 +26,7 @@ def normals_to_turn(source, show=None):
 
 
 def _of_mesh(leaf, **run):
-    """The normals and areas that the polygons of a leaf give its points."""
+    """Returns the normals and areas that the polygons of a leaf give its points."""
     normals, areas = np.empty((len(leaf.points), 3)), np.empty(len(leaf.points))
     points = np.ascontiguousarray(leaf.points)
     _library.call("winding_vertices", _library.array_of(points),
@@ -36,7 +36,7 @@ def _of_mesh(leaf, **run):
 
 
 def cloud_of(source, **run):
-    """A source as the cloud of its points. Points without normals have their polygons', and
+    """Returns a source as the cloud of its points. Points without normals have their polygons', and
     all are without where some can have none, for all are to be oriented together."""
     made = copy.copy(source)
     made.corners = made.offsets = None
@@ -51,7 +51,7 @@ def cloud_of(source, **run):
 
 
 def areas_of(source, method, *, estimates, point_area, threads, show=None, **options):
-    """The areas of the points of a source, and their normals where these had to be estimated."""
+    """Returns the areas of the points of a source, and their normals where they are estimated."""
     run = {"threads": threads, "show": show}
     if method == _MESH:
         if any(leaf.corners is None for leaf in source.leaves):

@@ -25,7 +25,7 @@ _CURVED = (*range(21, 38), *range(51, 56), *range(60, 82))
 
 
 def package_of(data):
-    """The name of the package that has the classes of VTK which an object is of."""
+    """Returns the name of the package that has the classes of VTK which an object is of."""
     for kind in type(data).__mro__:
         root, _, module = kind.__module__.partition(".")
         if kind.__name__ == "vtkObjectBase" or module.startswith("vtkCommon"):
@@ -34,8 +34,8 @@ def package_of(data):
 
 
 def class_of(data, modules, name):
-    """A class of VTK, of the package that an object is of: from the first of some modules that has
-    it, for classes move from one version to the next."""
+    """Returns a class of VTK, of the package that an object is of: from the first of some modules
+    that has it, for classes move from one version to the next."""
     for module in [modules] if isinstance(modules, str) else modules:
         found = getattr(importlib.import_module(f"{package_of(data)}.{module}"), name, None)
         if found is not None:
@@ -44,7 +44,7 @@ def class_of(data, modules, name):
 
 
 def array_of(data, array):
-    """An array of VTK, over its own memory where that lies as NumPy needs it."""
+    """Returns an array of VTK, over its own memory where that lies as NumPy needs it."""
     numpy_support = importlib.import_module(f"{package_of(data)}.util.numpy_support")
     if array.GetNumberOfTuples() == 0:
         width = array.GetNumberOfComponents()
@@ -62,7 +62,7 @@ def array_of(data, array):
 
 
 def vtk_array_of(data, name, values):
-    """An array of VTK with a name and its own memory."""
+    """Returns an array of VTK with a name and its own memory."""
     numpy_support = importlib.import_module(f"{package_of(data)}.util.numpy_support")
     array = numpy_support.numpy_to_vtk(np.ascontiguousarray(values), 1)
     array.SetName(name)
@@ -70,13 +70,13 @@ def vtk_array_of(data, name, values):
 
 
 def floats_of(data, array):
-    """An array of VTK as float32 or float64."""
+    """Returns an array of VTK as float32 or float64."""
     found = array_of(data, array)
     return found if found.dtype in (np.float32, np.float64) else found.astype(np.float64)
 
 
 def cells_of(data, cells):
-    """The ids of the points of all cells of a vtkCellArray, and where each begins and ends."""
+    """Returns the ids of the points of all cells of a vtkCellArray, and the cells' offsets."""
     corners = array_of(data, cells.GetConnectivityArray())
     offsets = array_of(data, cells.GetOffsetsArray())
     if len(offsets) == 0:
@@ -89,7 +89,7 @@ def _ids(array):
 
 
 def cell_array_of(data, corners, offsets):
-    """A vtkCellArray of ids of points, and of where each cell begins and ends."""
+    """Returns a vtkCellArray of ids of points, and of where each cell begins and ends."""
     numpy_support = importlib.import_module(f"{package_of(data)}.util.numpy_support")
     cells = class_of(data, "vtkCommonDataModel", "vtkCellArray")()
     cells.SetData(numpy_support.numpy_to_vtkIdTypeArray(np.ascontiguousarray(offsets, np.int64), 1),
@@ -98,7 +98,7 @@ def cell_array_of(data, corners, offsets):
 
 
 def leaves_of(data):
-    """The data sets of a composite data set with their names, or the data set itself."""
+    """Returns the data sets of a composite data set with their names, or the data set itself."""
     if not data.IsA("vtkCompositeDataSet"):
         return [("the source", data)]
     leaves = []
@@ -111,12 +111,12 @@ def leaves_of(data):
 
 
 def flat_index_of(name):
-    """The flat index of a data set by its name, as leaves_of() gives it; 0 for no block."""
+    """Returns the flat index of a data set by its name, as leaves_of() gives it; 0 for no block."""
     return int(name[6:]) if name.startswith("block ") else 0
 
 
 def unstructured(data):
-    """The cells of a data set as an unstructured grid."""
+    """Returns the cells of a data set as an unstructured grid."""
     if data.IsA("vtkUnstructuredGrid"):
         return data
     append = class_of(data, "vtkFiltersCore", "vtkAppendFilter")()
@@ -126,7 +126,7 @@ def unstructured(data):
 
 
 def extracted(data, are_kept):
-    """Some of the cells of a data set, as an unstructured grid."""
+    """Returns some of the cells of a data set, as an unstructured grid."""
     extract = class_of(data, ("vtkFiltersCore", "vtkFiltersExtraction"), "vtkExtractCells")()
     extract.SetInputData(data)
     extract.SetCellList(ids_of(data, np.flatnonzero(are_kept)))
@@ -135,7 +135,7 @@ def extracted(data, are_kept):
 
 
 def cell_types_of(grid):
-    """The types of the cells of an unstructured grid."""
+    """Returns the types of the cells of an unstructured grid."""
     try:
         types = grid.GetCellTypes()
     except TypeError:  # before VTK 9.6 that is another method
@@ -144,7 +144,7 @@ def cell_types_of(grid):
 
 
 def dimensions_of(types):
-    """The dimensions of cells, 0 to 3, by their types; -1 for types that there are none of."""
+    """Returns the dimensions of cells, 0 to 3, by their types; -1 for types without cells."""
     table = np.full(256, -1, np.int8)
     for dimension, kinds in _DIMENSIONS.items():
         table[list(kinds)] = dimension
@@ -152,12 +152,12 @@ def dimensions_of(types):
 
 
 def has_curved(types):
-    """Whether there are cells with curved edges among cells of some types."""
+    """Returns whether there are cells with curved edges among cells of some types."""
     return bool(np.isin(types, _CURVED).any())
 
 
 def has_faces(mesh):
-    """Whether a vtkPointSet has cells of two or three dimensions."""
+    """Returns whether a vtkPointSet has cells of two or three dimensions."""
     if mesh.IsA("vtkPolyData"):
         return mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() > 0
     if mesh.IsA("vtkUnstructuredGrid"):
@@ -166,7 +166,7 @@ def has_faces(mesh):
 
 
 def is_of_lines(mesh):
-    """Whether most cells of a data set are of one dimension, and none bounds anything."""
+    """Returns whether most cells of a data set are of one dimension, and none bounds anything."""
     if not mesh.IsA("vtkPointSet") or has_faces(mesh):
         return False
     if mesh.IsA("vtkPolyData"):
@@ -179,7 +179,7 @@ def is_of_lines(mesh):
 
 
 def ids_of(data, numbers):
-    """Numbers as a vtkIdList."""
+    """Returns numbers as a vtkIdList."""
     ids = class_of(data, "vtkCommonCore", "vtkIdList")()
     ids.SetNumberOfIds(len(numbers))
     for place, number in enumerate(numbers):
@@ -197,7 +197,7 @@ def keep_cell_data(to, data, numbers):
 
 
 def ghosts_of(attributes, bits, count):
-    """Which of `count` cells or points are ghosts, or None where none is."""
+    """Returns which of `count` cells or points are ghosts, or None where none is."""
     flags = attributes.GetArray("vtkGhostType")
     if flags is None or flags.GetNumberOfTuples() != count:
         return None
@@ -206,7 +206,7 @@ def ghosts_of(attributes, bits, count):
 
 
 def triangles_of_strips(corners, offsets):
-    """The triangles (F, 3) of strips: every other one is turned round."""
+    """Returns the triangles (F, 3) of strips: every other one is turned round."""
     sizes = np.maximum(np.diff(offsets) - 2, 0)
     step = np.arange(sizes.sum()) - np.repeat(np.cumsum(sizes) - sizes, sizes)
     first = np.repeat(offsets[:-1], sizes) + step

@@ -25,7 +25,7 @@ class WindingWarning(RuntimeWarning):
 
 
 def levels_above_package():
-    """The stacklevel of the first caller outside this package, as warnings counts it."""
+    """Returns the stacklevel of the first caller outside this package, as warnings counts it."""
     frame, level = sys._getframe(1), 1
     while frame.f_back and os.path.dirname(frame.f_code.co_filename) == _PACKAGE:
         frame, level = frame.f_back, level + 1

@@ -59,8 +59,8 @@ def read(path: str | os.PathLike[str], *,
 
 @contextlib.contextmanager
 def unpacked(name):
-    """The name of a file, or of an unpacked copy of a .gz file in a temporary folder. Errors within
-    name the file itself."""
+    """Yields the name of a file, or of an unpacked copy of a .gz file in a temporary folder. Errors
+    within name the file itself."""
     if not name.lower().endswith(b".gz"):
         yield name
         return
@@ -100,7 +100,7 @@ def _read(name, chosen):
 
 
 def _fans(offsets, corners):
-    """The triangles of polygons, as fans from their first corners."""
+    """Returns the triangles of polygons, as fans from their first corners."""
     sizes = np.diff(offsets)
     if (sizes == 3).all():
         return corners.reshape(-1, 3)

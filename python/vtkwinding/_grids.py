@@ -8,7 +8,7 @@ from . import _options
 
 
 def _three(name, value, convert):
-    """Three of what is one number or a sequence of three."""
+    """Returns three of what is one number or a sequence of three."""
     values = [value] * 3 if _is_scalar(value) else value
     if isinstance(values, str) or not hasattr(values, "__getitem__"):
         raise TypeError(f"{name} must be numbers, not {type(value).__name__}")
@@ -42,7 +42,7 @@ def dimensions_of(value):
 
 
 def box(value):
-    """xmin, xmax, ymin, ymax, zmin, zmax."""
+    """Returns xmin, xmax, ymin, ymax, zmin, zmax."""
     if _is_scalar(value) or isinstance(value, str) or len(value) != 6:
         raise ValueError("bounds must be six numbers: xmin, xmax, ymin, ymax, zmin, zmax")
     values = [_options.number(f"bounds[{i}]", item) for i, item in enumerate(value)]
@@ -58,8 +58,7 @@ class Plan:
 
     def __init__(self, source_bounds, *, resolution=None, dimensions=None, spacing=None,
                  bounds=None, padding=0.05):
-        """source_bounds() gives the box of the source, and is asked only for voxels that are not
-        cubic."""
+        """Calls source_bounds(), the box of the source, only for voxels that are not cubic."""
         given = {"resolution": resolution, "dimensions": dimensions, "spacing": spacing}
         names = [name for name, value in given.items() if value is not None]
         if len(names) > 1:
@@ -81,12 +80,12 @@ class Plan:
 
 
 def grown(bounds, reach):
-    """A box with a margin of a length on all sides."""
+    """Returns a box with a margin of a length on all sides."""
     return [end + (reach if index % 2 else -reach) for index, end in enumerate(bounds)]
 
 
 def _padded(bounds, padding):
-    """A box with a margin of each axis's own, and of the longest where an axis has no length."""
+    """Returns a box with a margin by each axis, or by the longest where an axis has no length."""
     sides = [bounds[2 * axis + 1] - bounds[2 * axis] for axis in range(3)]
     margins = [padding * (side if side > 0 else max(sides)) for side in sides]
     return [end + (margins[index // 2] if index % 2 else -margins[index // 2])
@@ -94,8 +93,8 @@ def _padded(bounds, padding):
 
 
 def _bricks(bounds, steps):
-    """The box and the dimensions of voxels with three different sides: the box grows to a whole
-    number of them, evenly on both sides, as it does for cubes."""
+    """Returns the box and the dimensions of voxels with three different sides: the box grows to a
+    whole number of them, evenly on both sides, as it does for cubes."""
     counts, ends = [], []
     for axis, step in enumerate(steps):
         low, high = bounds[2 * axis], bounds[2 * axis + 1]

@@ -10,14 +10,14 @@ from ._errors import WindingError
 
 
 def like(image):
-    """An image with the geometry of another, without arrays."""
+    """Returns an image with the geometry of another, without arrays."""
     found = pv.ImageData()
     found.CopyStructure(image)
     return found
 
 
 def over(grid, at_cells):
-    """An image whose points, or cells, are the samples of a grid of the library."""
+    """Returns an image whose points, or cells, are the samples of a grid of the library."""
     steps, first = np.array(grid.spacing), np.array(grid.origin)
     counts = np.array(grid.dimensions)
     if at_cells:
@@ -26,8 +26,8 @@ def over(grid, at_cells):
 
 
 def on_grid(field, grid, kinds, sides, coverage=0, band=0, show=None):
-    """Values of a field on a grid, x running fastest: flat arrays by their names in the library.
-    `band` is the number of voxels beyond which distances need not be exact."""
+    """Returns values of a field on a grid, x running fastest: flat arrays by their names in the
+    library. `band` is the number of voxels beyond which distances need not be exact."""
     if coverage == 2:
         kinds = {**kinds, "fractions": np.dtype("f4")}
     values = field.on_grid(grid, kinds, sides, show=show, coverage=coverage,
@@ -36,8 +36,8 @@ def on_grid(field, grid, kinds, sides, coverage=0, band=0, show=None):
 
 
 def evaluate(field, data, kinds, sides, *, at_cells=False, coverage=0, band=0, show=None):
-    """Values of a field at the points of a data set, or at the centres of its cells: flat arrays by
-    their names in the library. Coverage and bands are for images."""
+    """Returns values of a field at the points of a data set, or at the centres of its cells:
+    flat arrays by their names in the library. Coverage and bands are for images."""
     grid, frame = None, None
     if isinstance(data, pv.ImageData):
         skew = {"skew": _parts.MOST_SKEW_TO_LIE_ON} if coverage or band else {}

@@ -243,7 +243,8 @@ for _struct in Sized.__subclasses__():
 
 
 def array_of(array):
-    """An array of NumPy, which must outlive the call, as the library sees it; None for no array.
+    """Returns an array of NumPy, which must outlive the call, as the library sees it; None for no
+    array.
 
     Rows whose numbers lie one behind the other are read where they are."""
     if array is None:
@@ -253,8 +254,8 @@ def array_of(array):
 
 
 def polygons_of(corners, offsets=None):
-    """Polygons as the library takes them: the ids of all corners, and where each polygon begins and
-    ends; without offsets, triangles (F, 3). The arrays must outlive the call."""
+    """Returns polygons as the library takes them: the ids of all corners, and where each polygon
+    begins and ends; without offsets, triangles (F, 3). The arrays must outlive the call."""
     if offsets is None:
         return Polygons(array_of(corners), array_of(None))
     if len(offsets) > 1 and offsets[0] == 0 and (np.diff(offsets) == 3).all():
@@ -263,7 +264,7 @@ def polygons_of(corners, offsets=None):
 
 
 def cells_of(types, corners, offsets):
-    """Cells as the library takes them. The arrays must outlive the call."""
+    """Returns cells as the library takes them. The arrays must outlive the call."""
     return Cells(array_of(types), array_of(corners), array_of(offsets))
 
 
@@ -377,7 +378,7 @@ class Handle:
 
 
 def arrays_of(mesh):
-    """The arrays of a mesh of the library, which they keep alive."""
+    """Returns the arrays of a mesh of the library, which they keep alive."""
     arrays = MeshArrays()
     call("winding_mesh_show", mesh.pointer, ctypes.byref(arrays))
     floats = {1: np.float32, 2: np.float64}
@@ -419,7 +420,7 @@ def arrays_of(mesh):
 
 
 def _regions_of(mesh, arrays):
-    """The regions that a file names, by their kinds."""
+    """Returns the regions that a file names, by their kinds."""
     found = {}
     for index in range(arrays.regions_count):
         one = RegionNames()
@@ -432,7 +433,7 @@ def _regions_of(mesh, arrays):
 
 
 def columns_of(mesh, count):
-    """The columns of a table that the library has read: names, and arrays of numbers or texts."""
+    """Yields the columns of a table of the library: names, and arrays of numbers or texts."""
     points = MeshArrays()
     call("winding_mesh_show", mesh.pointer, ctypes.byref(points))
     for index in range(count):

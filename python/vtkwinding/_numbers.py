@@ -6,7 +6,7 @@ import numpy as np
 
 
 def _numbers(name, array, kinds, words):
-    """An array of numbers of some kinds, or an exception that says what was given instead."""
+    """Returns an array of numbers of some kinds, or an exception that names what was given."""
     if array is None or isinstance(array, (str, bytes)):
         raise TypeError(f"{name} must be an array of {words}, not {type(array).__name__}")
     try:
@@ -30,7 +30,7 @@ def _shaped(name, array, width):
 
 
 def _is_finite(array):
-    """Whether all numbers are finite and not huge; their sum takes less than looking at each."""
+    """Returns whether the sum of numbers is finite; a look at each of them takes longer."""
     with np.errstate(all="ignore"):
         return np.isfinite(np.sum(array, dtype=float))
 
@@ -44,19 +44,19 @@ def _finite(name, array):
 
 
 def _floats(array):
-    """The array itself, if it is of float32 or float64 and in C order; else a copy."""
+    """Returns the array itself, if it is of float32 or float64 and in C order; else a copy."""
     is_kept = array.dtype in (np.float32, np.float64)
     return np.require(array, None if is_kept else np.float64, ["C", "A"])
 
 
 def vectors(name, array, *, finite=True):
-    """(N, 3) floats, which must be finite if `finite`."""
+    """Returns (N, 3) floats, which must be finite if `finite`."""
     found = _floats(_shaped(name, _numbers(name, array, "fiu", "numbers"), 3))
     return _finite(name, found) if finite else found
 
 
 def surface(vertices, faces, *, finite=True):
-    """(V, 3) floats and (F, 3) ids of them. If `finite`, what faces use must be."""
+    """Returns (V, 3) floats and (F, 3) ids of them. If `finite`, what faces use must be."""
     points = vectors("vertices", vertices, finite=False)
     corners = triangles("faces", faces, len(points))
     if finite and not _is_finite(points):
@@ -68,7 +68,7 @@ def surface(vertices, faces, *, finite=True):
 
 
 def scalars(name, array, count):
-    """Finite (count,) floats."""
+    """Returns finite (count,) floats."""
     found = _floats(_numbers(name, array, "fiu", "numbers"))
     if found.shape != (count,):
         raise ValueError(f"{name} must have the shape ({count},), not {found.shape}")
@@ -76,7 +76,7 @@ def scalars(name, array, count):
 
 
 def triangles(name, array, points):
-    """(F, 3) ids of vertices, less than `points`."""
+    """Returns (F, 3) ids of vertices, less than `points`."""
     found = _shaped(name, _numbers(name, array, "iu", "ids of vertices (integers)"), 3)
     if found.size and not (0 <= found.min() and found.max() < points):
         bad = np.flatnonzero(((found < 0) | (found >= points)).any(axis=1))[0]

@@ -22,7 +22,7 @@ AREA_METHODS = {"voronoi": 0, "mesh": 1, "constant": 2}
 
 
 def choice(name, value, choices):
-    """The number of one of some words."""
+    """Returns the number of one of some words."""
     if not isinstance(value, str):
         raise TypeError(f"{name} must be a str, not {type(value).__name__}")
     if value not in choices:
@@ -31,7 +31,7 @@ def choice(name, value, choices):
 
 
 def _plain(value):
-    """Python's own number or bool, where NumPy's scalar or an array without axes is given."""
+    """Returns Python's number or bool for NumPy's scalar or an array without axes."""
     return value.item() if isinstance(value, (np.generic, np.ndarray)) and not value.ndim else value
 
 
@@ -50,7 +50,7 @@ def integer(name, value, least=None, most=None):
 
 
 def number(name, value, least=None, most=None):
-    """A finite number in a range."""
+    """Returns a finite number in a range."""
     value = _plain(value)
     if not isinstance(value, numbers.Real) or isinstance(value, bool):
         raise TypeError(f"{name} must be a number, not {type(value).__name__}")
@@ -71,7 +71,7 @@ def _in_range(name, value, least, most):
 
 
 def shape(fill_cavities, offset, shell, shell_side):
-    """The settings of the library for what is made of a solid, and how far that reaches beyond it."""
+    """Returns the library's settings for the shape of a solid, and how far it reaches beyond."""
     settings = {"fill_cavities": flag("fill_cavities", fill_cavities),
                 "offset": number("offset", offset), "shell": number("shell", shell, 0),
                 "shell_side": choice("shell_side", shell_side, SHELL_SIDES)}
@@ -79,7 +79,7 @@ def shape(fill_cavities, offset, shell, shell_side):
 
 
 def reach(offset, shell, shell_side):
-    """How far the shape of a solid reaches beyond it."""
+    """Returns how far the shape of a solid reaches beyond it."""
     return max(0.0, offset + (0, 1, 0.5)[shell_side] * shell)
 
 
@@ -90,12 +90,12 @@ def text(name, value):
 
 
 def threads(n_threads):
-    """The property NumberOfThreads: 0 for all that there are."""
+    """Returns the property NumberOfThreads: 0 for all that there are."""
     return 0 if n_threads is None else integer("n_threads", n_threads, 1, 2**31 - 1)
 
 
 def words(name, value):
-    """The bytes of a text, which may be None."""
+    """Returns the bytes of a text, which may be None."""
     found = "" if value is None else text(name, value)
     if "\0" in found:
         raise ValueError(f"{name} must be without null characters")
@@ -103,7 +103,7 @@ def words(name, value):
 
 
 def viewpoints(value):
-    """The text of one or several positions, or of a direction, that normals look toward."""
+    """Returns the text of one or several positions, or of a direction, that normals look toward."""
     if value is None or isinstance(value, str):
         text_of = value or ""
     else:

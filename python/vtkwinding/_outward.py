@@ -36,7 +36,7 @@ _STRAIGHT = {**dict.fromkeys((24, 64, 71, 78), 10), **dict.fromkeys((25, 29, 33,
 
 @functools.lru_cache(maxsize=None)
 def _following(kind):
-    """By two corners of a face in a row, the next one; -1 for corners that are not in a row."""
+    """Returns a table of the corner that follows two of a face; -1 where these are not in a row."""
     count = 1 + max(max(face) for face in _FACES[kind])
     table = np.full((count, count), -1)
     for face in _FACES[kind]:
@@ -46,7 +46,7 @@ def _following(kind):
 
 
 def _volumes(kind, corners):
-    """Six times the volumes within the faces of cells of a kind, by their corners (N, K, 3)."""
+    """Returns six times the volumes of cells of a kind, by their corners (N, K, 3)."""
     origin = corners[:, :1]
     places = corners - origin
     volume = np.zeros(len(corners))
@@ -58,7 +58,7 @@ def _volumes(kind, corners):
 
 
 def _starts_in_order(kind, ids, first):
-    """Whether polygons, by their first three points, go round as the faces of their cells do."""
+    """Returns whether the first three points of polygons go round as in their cells."""
     places = [np.argmax(ids == corner[:, None], axis=1) for corner in first]
     return _following(kind)[places[0], places[1]] == places[2]
 
@@ -80,7 +80,7 @@ class Cells:
         self.corners = None
 
     def ids(self, cells, count):
-        """The ids of the first `count` points of cells, (N, count)."""
+        """Returns the ids of the first `count` points of cells, (N, count)."""
         if self.corners is not None:
             return self.corners[self.offsets[cells][:, None] + np.arange(count)]
         place = np.unravel_index(cells, self.counts - 1, order="F")
@@ -91,7 +91,7 @@ class Cells:
 
 
 def inward_polygons(mesh, owners, polygons, offsets, are_curved, middles, areas):
-    """Which polygons look into their own cell.
+    """Returns which polygons look into their own cell.
 
     Parameters
     ----------
@@ -159,7 +159,7 @@ def _inward_of_polyhedra(cells, owners, rows, polygons, offsets):
 
 
 def faces_of_stream(stream):
-    """The faces of a polyhedron of three corners and more, by a vtkIdList of VTK."""
+    """Returns the faces of a polyhedron of three corners and more, by a vtkIdList of VTK."""
     ids = [stream.GetId(i) for i in range(stream.GetNumberOfIds())]
     faces, at = [], 1
     while at < len(ids):
@@ -176,7 +176,7 @@ def _volume_of(corners):
 
 
 def _agreeing(faces):
-    """Faces that go round like the first one that they hang together with."""
+    """Returns faces that go round like the first one that they hang together with."""
     uses = {}
     for number, face in enumerate(faces):
         for i, corner in enumerate(face):

@@ -18,13 +18,13 @@ _SINGLE, _DOUBLE = 0, 1  # of SetOutputPointsPrecision(); the default is 2
 
 
 def _is_structured(data):
-    """Whether the points of cells follow from the numbers of the cells."""
+    """Returns whether the points of cells follow from the numbers of the cells."""
     return any(data.IsA(kind) for kind in ("vtkImageData", "vtkRectilinearGrid",
                                            "vtkStructuredGrid"))
 
 
 def points_of(data):
-    """The points (N, 3) of a data set of any kind, at which a field is asked."""
+    """Returns the points (N, 3) of a data set of any kind, at which a field is asked."""
     if data.IsA("vtkPointSet"):
         points = data.GetPoints()
         return np.empty((0, 3)) if points is None else _datasets.floats_of(data, points.GetData())
@@ -39,7 +39,7 @@ def points_of(data):
 
 
 def directions_of(image):
-    """The axes of an image in space, as the columns of a matrix."""
+    """Returns the axes of an image in space, as the columns of a matrix."""
     matrix = image.GetDirectionMatrix()
     return np.array([[matrix.GetElement(i, j) for j in range(3)] for i in range(3)])
 
@@ -73,7 +73,7 @@ class Frame:
 
 
 def _axes_of(image):
-    """The directions in which the indices of an image grow, as the columns of a matrix."""
+    """Returns the directions in which the indices of an image grow, as the columns of a matrix."""
     return directions_of(image) * np.where(np.array(image.GetSpacing()) < 0, -1, 1)
 
 
@@ -85,11 +85,11 @@ def has_right_angles(image, skew=MOST_SKEW_TO_LIE_ON):
 
 
 def grid_of_image(image, at_cells, skew=_MOST_SKEW, are_voxels=False):
-    """The grid of the library that the points of an image are, or the centres of its cells, and its
-    Frame, which is None where the coordinates of space are the image's. The grid is None for images
-    with axes that are not at right angles up to `skew`, that are empty or that have blank parts.
-    A single layer of samples has the spacing of the image across it where `are_voxels`, and as
-    points the widest one in it."""
+    """Returns the grid of the library that the points of an image are, or the centres of its cells,
+    and its Frame, which is None where the coordinates of space are the image's. The grid is None
+    for images with axes that are not at right angles up to `skew`, that are empty or that have
+    blank parts. A single layer of samples has the spacing of the image across it where
+    `are_voxels`, and as points the widest one in it."""
     if (image.GetNumberOfPoints() == 0 or image.HasAnyBlankPoints() or image.HasAnyBlankCells()
             or not has_right_angles(image, skew)):
         return None, None
@@ -123,7 +123,7 @@ def _points_of_image(image):
 
 
 def centres_of(data):
-    """The centres (N, 3) of the cells of a data set; NaN for cells without points."""
+    """Returns the centres (N, 3) of the cells of a data set; NaN for cells without points."""
     check_cells(data, "the data set")
     array = _datasets.class_of(data, "vtkCommonCore", "vtkDoubleArray")()
     array.SetNumberOfComponents(3)
@@ -138,7 +138,7 @@ def centres_of(data):
 
 
 def _corners_of_cells(data):
-    """The ids of the points of cells that are not told one by one, (N, 2, 4 or 8)."""
+    """Returns the ids of the points of cells that are not told one by one, (N, 2, 4 or 8)."""
     extent = data.GetExtent()
     dimensions = np.array([extent[2 * axis + 1] - extent[2 * axis] + 1 for axis in range(3)])
     steps = np.minimum(dimensions - 1, 1)
@@ -150,7 +150,7 @@ def _corners_of_cells(data):
 
 
 def _cells_of(data):
-    """The corners of all cells, and where each begins and ends, in the order of the cells."""
+    """Returns the corners of all cells, in the order of the cells, and their offsets."""
     if not data.IsA("vtkPolyData"):
         grid = _datasets.unstructured(data)
         return _datasets.cells_of(grid, grid.GetCells())
@@ -162,7 +162,7 @@ def _cells_of(data):
 
 
 def _any_and_all(data, flags):
-    """Of each cell, whether a flag is set at any of its points, and whether it is at all of them."""
+    """Returns for each cell whether a flag is set at any of its points, and whether at all."""
     flags = np.asarray(flags, bool)
     if data.GetNumberOfCells() == 0:
         return np.zeros((2, 0), bool)
@@ -180,14 +180,14 @@ def _empty_like(data, name=None):
 
 
 def _is_of_points(data):
-    """Whether a data set has points, and no cells or poly-vertices only."""
+    """Returns whether a data set has points, and no cells or poly-vertices only."""
     if not data.IsA("vtkPointSet") or data.GetNumberOfPoints() == 0:
         return False
     return all(data.GetCellType(i) == _POLY_VERTEX for i in range(data.GetNumberOfCells()))
 
 
 def _vertices_of(data):
-    """The points of a data set, with a vertex each."""
+    """Returns the points of a data set, with a vertex each."""
     count = data.GetNumberOfPoints()
     cells = _datasets.cell_array_of(data, np.arange(count), np.arange(count + 1))
     if data.IsA("vtkPolyData"):
@@ -239,9 +239,9 @@ def _kept_polydata(data, cells):
 
 
 def inside_part(data, inside, *, at_cells=False):
-    """The cells of a data set of which all points are inside, or with at_cells the cells that are:
-    vtkPolyData of polydata, vtkUnstructuredGrid of all others, with all arrays. A data set without
-    cells counts as points with a vertex each."""
+    """Returns the cells of a data set of which all points are inside, or with at_cells the cells
+    that are: vtkPolyData of polydata, vtkUnstructuredGrid of all others, with all arrays. A data
+    set without cells counts as points with a vertex each."""
     check_cells(data, "the data set")
     inside = np.asarray(inside, bool)
     whole = data
@@ -253,7 +253,7 @@ def inside_part(data, inside, *, at_cells=False):
 
 
 def points_of_cut_cells(data, inside):
-    """Whether each point belongs to a cell that has both points inside and others."""
+    """Returns whether each point belongs to a cell that has both points inside and others."""
     check_cells(data, "the data set")
     inside = np.asarray(inside, bool)
     any_inside, all_inside = _any_and_all(data, inside)
@@ -270,9 +270,9 @@ def points_of_cut_cells(data, inside):
 
 
 def clipped_part(data, numbers):
-    """The part of a data set in which numbers at its points, interpolated along edges, are more than
-    0: vtkUnstructuredGrid with all arrays. No number is 0. Cells of points that are nowhere are left
-    out; a data set without cells counts as points with a vertex each."""
+    """Returns the part of a data set in which numbers at its points, interpolated along edges, are
+    more than 0: vtkUnstructuredGrid with all arrays. No number is 0. Cells of points that are
+    nowhere are left out; a data set without cells counts as points with a vertex each."""
     if data.IsA("vtkPointSet") and data.GetNumberOfCells() == 0:
         points = _empty_like(data, "vtkUnstructuredGrid")
         points.SetPoints(data.GetPoints())
@@ -302,14 +302,15 @@ def clipped_part(data, numbers):
 
 
 def level_of(values, rule, threshold):
-    """The level of winding numbers by the number of a rule: 0 where the inside ends, more in it."""
+    """Returns the level of winding numbers by a rule's number, 0 where the inside ends."""
     if rule == _options.RULES["odd"]:
         return 0.5 - np.abs(np.fmod(np.abs(values), 2) - 1)
     return (np.abs(values) if rule == _options.RULES["absolute"] else values) - threshold
 
 
 def cut_distances(inside, are_cut, values, distances, slopes, level):
-    """Numbers at points by which clipped_part() finds where what is inside ends: more than 0 inside.
+    """Returns numbers at points by which clipped_part() finds where what is inside ends: more
+    than 0 inside.
 
     Their size is the distance from that end, to first order: the smaller one of the distance from
     the source and of a step of Newton's method towards the level.

@@ -7,7 +7,7 @@ import contextlib
 
 @contextlib.contextmanager
 def bar(wanted, message):
-    """What is called with the share of the work that is done, to show it; None without a bar."""
+    """Yields a function that shows the share of the work that is done; None without a bar."""
     if not wanted:
         yield None
         return

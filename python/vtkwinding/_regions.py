@@ -19,12 +19,12 @@ class Regions(NamedTuple):
 
 
 def names_of_ids(fields, name):
-    """The names of an array of regions "...Ids", which "...Names" of VTK's field data has."""
+    """Returns the names of an array of regions "...Ids", from "...Names" of the field data."""
     return _texts(fields, f"{name[:-3]}Names") if name.endswith("Ids") else []
 
 
 def names_of_labels(fields):
-    """The names by label that results of labels have in VTK's field data; none if it has none."""
+    """Returns the names by label that VTK's field data of a result has; none if it has none."""
     names, values = _texts(fields, "LabelNames"), fields.GetArray("LabelValues")
     if values is None or values.GetNumberOfTuples() != len(names):
         return []
@@ -40,7 +40,7 @@ def _texts(fields, name):
 
 
 def regions_of(leaf, fields):
-    """The regions that a file names of the polygons of a leaf, as readers give them."""
+    """Returns the regions that a file names of the polygons of a leaf, as readers give them."""
     found = {}
     for kind in KINDS:
         names = names_of_ids(fields, f"{kind}Ids")
@@ -50,9 +50,10 @@ def regions_of(leaf, fields):
 
 
 def names_of_parts(regions, parts):
-    """The solids that a file names, for polygons in `parts`, which are less than 0 for none: the
-    number of each polygon's, and their names; None where there are none. Last comes the kind whose
-    names divide parts, if there is one. These are the rules of vtkWindingNumberLabels."""
+    """Returns the solids that a file names, for polygons in `parts`, which are less than 0 for
+    none: the number of each polygon's, and their names; None where there are none. Last comes
+    the kind whose names divide parts, if there is one. These are the rules of
+    vtkWindingNumberLabels."""
     divides = None
     are_used = parts >= 0
     for kind in KINDS:
@@ -81,6 +82,6 @@ def names_of_parts(regions, parts):
 
 
 def name_of(what, region, names):
-    """The name of a region, or what it is and its number."""
+    """Returns the name of a region, or what it is and its number."""
     name = names[region] if 0 <= region < len(names) else ""
     return name or f"{what} {region}"

@@ -55,7 +55,7 @@ class Leaf(NamedTuple):
         return 0 if self.offsets is None else len(self.offsets) - 1
 
     def cell_array(self, name):
-        """A cell array, a row for each polygon."""
+        """Returns a cell array, a row for each polygon."""
         array = self.data.GetCellData().GetAbstractArray(name)
         if array is None:
             raise WindingError(f"choose another array: there is no cell array '{name}'")
@@ -94,7 +94,7 @@ class Source:
             for name in ("normals", "areas"))
 
     def copied(self):
-        """The same with copies of all arrays."""
+        """Returns the same with copies of all arrays."""
         made = copy.copy(self)
         for name in ("points", "corners", "offsets", "normals", "areas"):
             array = getattr(self, name)
@@ -106,7 +106,7 @@ class Source:
         return self.corners is not None
 
     def polygons(self):
-        """The polygons as the library takes them."""
+        """Returns the polygons as the library takes them."""
         return _library.polygons_of(self.corners, self.offsets)
 
 
@@ -176,7 +176,7 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
 
 
 def _leaf(data, has_faces, is_cloud, normals_array, areas_array):
-    """Of polydata, or any data set that is a cloud."""
+    """Takes apart polydata, or any data set that is a cloud."""
     points = _datasets.floats_of(data, data.GetPoints().GetData())
     corners = offsets = cells = normals = areas = None
     if has_faces:
@@ -201,7 +201,7 @@ def have_directions(normals):
 
 
 def _point_array(data, name, width):
-    """A point array by its name, or the active normals; None for no such."""
+    """Returns a point array by its name, or the active normals; None for no such."""
     arrays = data.GetPointData()
     is_active = name is None or name == "" or (name in _ACTIVE and not arrays.HasArray(name))
     array = arrays.GetNormals() if is_active else arrays.GetArray(name)
@@ -221,8 +221,8 @@ def _point_array(data, name, width):
 
 
 def _own_polygons(data):
-    """The polygons of polydata that are no ghosts, with strips as triangles: corners, offsets, and
-    the cells that they are."""
+    """Returns the polygons of polydata that are no ghosts, with strips as triangles: corners,
+    offsets, and the cells that they are."""
     corners, offsets = _datasets.cells_of(data, data.GetPolys())
     before = data.GetNumberOfVerts() + data.GetNumberOfLines()
     cells = np.arange(before, before + len(offsets) - 1)
@@ -246,7 +246,7 @@ def _own_polygons(data):
 
 
 def kept_polygons(corners, offsets, are_kept):
-    """Some of the polygons, in their order: corners and offsets."""
+    """Returns some of the polygons, in their order: corners and offsets."""
     if are_kept.all():
         return corners, offsets
     sizes = np.diff(offsets)
@@ -255,7 +255,7 @@ def kept_polygons(corners, offsets, are_kept):
 
 
 def turned_polygons(corners, offsets, are_turned):
-    """The corners of polygons of which some are turned round; each keeps its first point."""
+    """Returns the corners of polygons, some of them turned round; each keeps its first point."""
     sizes = np.diff(offsets)
     step = np.arange(offsets[-1] - offsets[0]) - np.repeat(offsets[:-1] - offsets[0], sizes)
     back = np.repeat(sizes, sizes) - step
@@ -264,7 +264,7 @@ def turned_polygons(corners, offsets, are_turned):
 
 
 def framed(parts, frame):
-    """What has points, normals, corners and offsets, in the coordinates of an image."""
+    """Returns what has points, normals, corners and offsets, in the coordinates of an image."""
     made = copy.copy(parts)
     made.points = frame.positions(parts.points)
     made.normals = None if parts.normals is None else frame.directions(parts.normals)
@@ -276,9 +276,9 @@ def framed(parts, frame):
 
 
 def _outer_surface(mesh, surface_cells, keeps_points):
-    """The polydata that bounds a mesh with faces; how many loose cells, and cells of the other kind,
-    it leaves out; and how many cells it turns. With `keeps_points` curved faces are divided at
-    their own points only."""
+    """Returns the polydata that bounds a mesh with faces; how many loose cells, and cells of the
+    other kind, it leaves out; and how many cells it turns. With `keeps_points` curved faces are
+    divided at their own points only."""
     if mesh.IsA("vtkPolyData"):
         return mesh, (mesh.GetNumberOfVerts() + mesh.GetNumberOfLines(), 0, 0)
     if mesh.IsA("vtkExplicitStructuredGrid"):
@@ -318,7 +318,7 @@ def _outer_surface(mesh, surface_cells, keeps_points):
 
 
 def _surface_at(mesh, level):
-    """The outer surface of cells, each curved edge of which is divided into 2 ** level pieces."""
+    """Returns the outer surface of cells, with each curved edge in 2 ** level pieces."""
     surface = _datasets.class_of(mesh, "vtkFiltersGeometry", "vtkDataSetSurfaceFilter")()
     surface.SetInputData(mesh)
     surface.SetNonlinearSubdivisionLevel(level)
@@ -327,7 +327,8 @@ def _surface_at(mesh, level):
 
 
 def _level_for(mesh):
-    """The level at which faces are within a thousandth of the diagonal of their shape, 5 at most.
+    """Returns the level at which faces are within a thousandth of the diagonal of their shape, 5 at
+    most.
 
     A chord of length h whose arc rises s above it is shorter by 8/3 (s/h)**2 of its length. Each
     level halves the chords, and leaves a quarter of s."""
@@ -346,7 +347,7 @@ def _level_for(mesh):
 
 
 def _areas_of(surface):
-    """Twice the areas of the polygons of polydata as vectors, and the middles of their corners."""
+    """Returns twice the areas of the polygons of polydata as vectors, and their middles."""
     corners, offsets = _datasets.cells_of(surface, surface.GetPolys())
     if len(offsets) < 2:
         return np.empty((0, 3)), np.empty((0, 3))
@@ -361,8 +362,8 @@ def _areas_of(surface):
 
 
 def _looking_outward(mesh, surface, is_curved):
-    """The outer surface of a mesh, with each polygon turned away from its own cell, and the number
-    of cells for which that is needed."""
+    """Returns the outer surface of a mesh, with each polygon turned away from its own cell, and the
+    number of cells for which that is needed."""
     count = surface.GetNumberOfPolys()
     if count == 0:
         return surface, 0
@@ -434,18 +435,18 @@ class SourceField(Field):
         self._choose(**self.options)
 
     def with_own_arrays(self):
-        """The field of copies of the arrays, so that it stays what it is when they are changed."""
+        """Returns the field of copies of the arrays, so that it stays when they are changed."""
         return SourceField(self.source.copied(), **self.options)
 
     def framed(self, frame):
-        """The field of the source in the coordinates of an image (a Frame of _parts)."""
+        """Returns the field of the source in the coordinates of an image (a Frame of _parts)."""
         field = SourceField(framed(self.source, frame), **self.options)
         field._options["frame"] = frame.numbers
         return field
 
     def cut_distances(self, places, kept, are_cut, sides, show=None):
-        """Numbers by which clipped_part() of _parts finds where the inside ends, for all points of
-        data: `places` are the places of cells that are cut."""
+        """Returns numbers by which clipped_part() of _parts finds where the inside ends, for all
+        points of data: `places` are the places of cells that are cut."""
         kinds = {"winding": np.dtype("f8"), "distance": np.dtype("f8")}
         if not self.is_closed:
             kinds["gradient"] = np.dtype("f8")

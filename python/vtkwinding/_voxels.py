@@ -12,7 +12,7 @@ from ._checks import check_cells
 
 
 def outer_surface(mesh):
-    """The triangles of any mesh; of all blocks, where it has some."""
+    """Returns the triangles of any mesh; of all blocks, where it has some."""
     if isinstance(mesh, pv.MultiBlock):
         mesh = mesh.combine() if mesh.n_blocks else pv.PolyData()
     if isinstance(mesh, pv.PointSet):
@@ -32,7 +32,7 @@ def _skin(mesh):
 
 def reference_of(mesh, *, reference_volume, dimensions, spacing, resolution, rounding_func,
                  cell_length_percentile, cell_length_sample_size):
-    """The image whose points are the voxels."""
+    """Returns the image whose points are the voxels."""
     rest = {"dimensions": dimensions, "spacing": spacing, "resolution": resolution,
             "rounding_func": rounding_func, "cell_length_percentile": cell_length_percentile,
             "cell_length_sample_size": cell_length_sample_size}
@@ -103,7 +103,7 @@ def _typical_length(surface, percentile, sample_size):
 
 
 def _quantile_of_edges(triangles, percentile, count):
-    """A quantile of the lengths of the edges of some of the triangles."""
+    """Returns a quantile of the lengths of the edges of some of the triangles."""
     ids = triangles.faces.reshape(-1, 4)[:, 1:]
     ids = ids[np.linspace(0, len(ids) - 1, min(count, len(ids))).astype(int)]
     corners = np.asarray(triangles.points, float)[ids]
@@ -112,7 +112,7 @@ def _quantile_of_edges(triangles, percentile, count):
 
 
 def mask_type(*values):
-    """The smallest type of a mask with these values, by PyVista's rule."""
+    """Returns the smallest type of a mask with these values, by PyVista's rule."""
     for value in values:
         if not isinstance(value, (bool, np.bool_)):
             _options.number("background_value and foreground_value", value)

@@ -58,7 +58,7 @@ _with_options = spelled_out(SourceOptions, _ALL_DEFAULTS)
 
 
 def _check_source(name, mesh):
-    """A mesh that may be the source of a field."""
+    """Returns a mesh that may be the source of a field."""
     if not isinstance(mesh, (pv.PointSet, pv.PolyData, pv.UnstructuredGrid, pv.StructuredGrid,
                              pv.ExplicitStructuredGrid, pv.MultiBlock)):
         kind = type(mesh).__name__
@@ -67,7 +67,7 @@ def _check_source(name, mesh):
 
 
 def _source(mesh, name="the mesh", *, as_points=False, notes=None, **arrays):
-    """The source that a mesh is. What it leaves out is warned of, or added to notes."""
+    """Returns the source that a mesh is. What it leaves out is warned of, or added to notes."""
     for option, value in arrays.items():
         if value is not None and option != "surface_cells":
             _options.text(option, value)
@@ -80,14 +80,14 @@ def _source(mesh, name="the mesh", *, as_points=False, notes=None, **arrays):
 
 
 def _leaves(mesh):
-    """The data sets of a mesh: itself, or all blocks."""
+    """Returns the data sets of a mesh: itself, or all blocks."""
     if not isinstance(mesh, pv.MultiBlock):
         return [mesh]
     return [leaf for block in mesh if block is not None for leaf in _leaves(block)]
 
 
 def _copied(mesh):
-    """A copy that shares the arrays of the mesh; copies of a MultiBlock would share its blocks."""
+    """Returns a copy that shares the arrays of the mesh, and no block of a MultiBlock."""
     if not isinstance(mesh, pv.MultiBlock):
         return mesh.copy(deep=False)
     copy = mesh.copy(deep=False)
@@ -114,7 +114,7 @@ def _fill(copy, values, names, association="point"):
 
 
 def _same(one, other):
-    """Whether two arrays, or None, have the same bits."""
+    """Returns whether two arrays, or None, have the same bits."""
     if one is None or other is None:
         return one is other
     if one.dtype != other.dtype or one.shape != other.shape:
@@ -133,7 +133,7 @@ def _polydata(points, corners, offsets):
 
 
 def _surface_of(arrays):
-    """A surface that the library has made, with its normals."""
+    """Returns a surface that the library has made, with its normals."""
     surface = _polydata(arrays["points"], arrays["corners"], arrays["offsets"])
     if arrays["point_normals"] is not None:
         surface.point_data["Normals"] = arrays["point_normals"]
@@ -152,7 +152,7 @@ class WindingAccessor:
         self._kept: Callable[[], SourceField | None] = lambda: None
 
     def _field(self, options, name="the mesh"):
-        """The field of this mesh, kept from one call to the next, and what is inside of it."""
+        """Returns the field of this mesh, kept from call to call, and its rule of the inside."""
         for option in options:
             if option not in _ALL_DEFAULTS:
                 raise TypeError(
@@ -177,7 +177,7 @@ class WindingAccessor:
 
     @staticmethod
     def _grid(*made, reach=0, **wishes):
-        """The grid of the library over the sources of fields, and what is within reach of them."""
+        """Returns the grid of the library over the sources of fields, and their reach."""
         def bounds():
             found = fields.box_of(made)
             if found is None:
@@ -194,7 +194,7 @@ class WindingAccessor:
               distance_band: float | None = None, association: str = "point",
               nearest_cells: bool = False, progress_bar: bool = False,
               **options: Unpack[SourceOptions]) -> pv.ImageData:
-        """The winding number on a grid: ImageData with the array 'WindingNumber'.
+        """Returns the winding number on a grid: ImageData with the array 'WindingNumber'.
 
         The grid is that of reference_volume, or has dimensions, voxels of a spacing (one number or
         three), or a resolution, the number of cubic voxels along the longest side (64 where nothing
@@ -262,7 +262,8 @@ class WindingAccessor:
                              cell_length_percentile: float | None = None,
                              cell_length_sample_size: int | None = None, coverage: str = "center",
                              progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.ImageData:
-        """ImageData with the point array 'mask', as DataSetFilters.voxelize_binary_mask makes it.
+        """Returns ImageData with the point array 'mask', as DataSetFilters.voxelize_binary_mask
+        makes it.
 
         The mesh need not be closed. coverage: 'center', 'any' or 'fraction' (half) of a voxel has
         to be inside. resolution is the number of voxels along the longest side.
@@ -293,7 +294,7 @@ class WindingAccessor:
                  cell_length_percentile: float | None = None,
                  cell_length_sample_size: int | None = None, coverage: str = "center",
                  progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.UnstructuredGrid:
-        """UnstructuredGrid of the voxels inside, as DataSetFilters.voxelize makes it.
+        """Returns UnstructuredGrid of the voxels inside, as DataSetFilters.voxelize makes it.
 
         As there, dimensions count the points of the voxels, one more than there are voxels.
         """
@@ -322,7 +323,7 @@ class WindingAccessor:
                 distance_to_input: bool = False,
                 transfer_attributes: bool = False, nearest_cells: bool = False,
                 progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.PolyData:
-        """The surface w = threshold, closed over holes: PolyData of triangles.
+        """Returns the surface w = threshold, closed over holes: PolyData of triangles.
 
         The grid is that of field(). features: 'smooth'; 'sharp', which keeps edges and corners; or
         'voxels', the sides of voxels. The last two have normals of their faces, not of their points.
@@ -372,7 +373,7 @@ class WindingAccessor:
         return surface
 
     def _attributes(self, mesh, transfer_attributes, nearest_cells, options):
-        """What results take over from a mesh; None for nothing."""
+        """Returns what results take over from a mesh; None for nothing."""
         wishes = {"transfer": _options.flag("transfer_attributes", transfer_attributes),
                   "numbers": _options.flag("nearest_cells", nearest_cells)}
         if not any(wishes.values()):
@@ -392,7 +393,7 @@ class WindingAccessor:
                       features: str = "smooth", transfer_attributes: bool = False,
                       nearest_cells: bool = False, progress_bar: bool = False,
                       **options: Unpack[SourceOptions]) -> pv.PolyData:
-        """The union of this mesh and another, or a list of others: PolyData of triangles.
+        """Returns the union of this mesh and another, or a list of others: PolyData of triangles.
 
         Each mesh is a solid by its own winding number, and need be neither closed nor manifold. All
         of them are sampled on one grid, that of field() over what the result can reach. features:
@@ -411,7 +412,7 @@ class WindingAccessor:
                              features: str = "smooth", transfer_attributes: bool = False,
                              nearest_cells: bool = False, progress_bar: bool = False,
                              **options: Unpack[SourceOptions]) -> pv.PolyData:
-        """What this mesh has in common with another, or with all of a list: as boolean_union()."""
+        """Returns what this mesh shares with another, or with all of a list: as boolean_union()."""
         return self._boolean("intersection", other, features, progress_bar, options,
                              transfer_attributes, nearest_cells,
                              dimensions=dimensions, spacing=spacing, resolution=resolution,
@@ -424,7 +425,7 @@ class WindingAccessor:
                            features: str = "smooth", transfer_attributes: bool = False,
                            nearest_cells: bool = False, progress_bar: bool = False,
                            **options: Unpack[SourceOptions]) -> pv.PolyData:
-        """This mesh without another, or without all of a list: as boolean_union()."""
+        """Returns this mesh without another, or without all of a list: as boolean_union()."""
         return self._boolean("difference", other, features, progress_bar, options,
                              transfer_attributes, nearest_cells,
                              dimensions=dimensions, spacing=spacing, resolution=resolution,
@@ -432,7 +433,7 @@ class WindingAccessor:
 
     def _boolean(self, operation, other, features, progress_bar, options, transfer_attributes,
                  nearest_cells, **wishes):
-        """The surface of an operation on this mesh and others."""
+        """Returns the surface of an operation on this mesh and others."""
         others = other if isinstance(other, (list, tuple)) else [other]
         number = _options.OPERATIONS[operation]
         settings = {"features": _options.choice("features", features, _options.FEATURES),
@@ -463,7 +464,8 @@ class WindingAccessor:
         return surface
 
     def _probe(self, surface, kinds, progress_bar, message, options, association="point"):
-        """Values of the field of a surface at the points or cells of this mesh, block by block."""
+        """Returns values of the field of a surface at the points or cells of this mesh, block by
+        block."""
         if not isinstance(self._mesh, (pv.DataSet, pv.MultiBlock)):
             raise TypeError(f"the mesh must have points, not be a {type(self._mesh).__name__}")
         at_cells = _options.choice("association", association, _options.ASSOCIATIONS) == 1
@@ -483,7 +485,8 @@ class WindingAccessor:
     def select_interior_points(self, surface: pv.DataObject, *, inside_out: bool = False,
                                check_surface: bool = False, progress_bar: bool = False,
                                **options: Unpack[SourceOptions]) -> pv.DataObject:
-        """A copy with the bool point array 'selected_points': which points are inside a surface.
+        """Returns a copy with the bool point array 'selected_points': which points are inside a
+        surface.
 
         The surface need not be closed; check_surface raises a RuntimeError where it is not, as
         DataSetFilters.select_interior_points does. inside_out selects the points outside.
@@ -502,8 +505,8 @@ class WindingAccessor:
     def extract_interior(self, surface: pv.DataObject, *, association: str = "point",
                          inside_out: bool = False, progress_bar: bool = False,
                          **options: Unpack[SourceOptions]) -> pv.DataObject:
-        """The part of this mesh that is inside a surface: cells whose points all are, or with
-        association='cell' those whose centre is; points, where there are no cells."""
+        """Returns the part of this mesh that is inside a surface: cells whose points all are, or
+        with association='cell' those whose centre is; points, where there are no cells."""
         is_inverse = _options.flag("inside_out", inside_out)
         inside = self._probe(surface, {"inside": np.dtype("u1")}, progress_bar,
                              "Extracting the inside", options, association)["inside"]
@@ -513,7 +516,7 @@ class WindingAccessor:
             lambda leaf, kept: _parts.inside_part(leaf, kept, at_cells=at_cells))
 
     def _parts(self, values, at_cells, part_of):
-        """The parts of all data sets, by values at their points or cells, in the place of these."""
+        """Returns a copy with the parts of all data sets, by values at their points or cells."""
         numbers = iter(np.split(values, np.cumsum([
             leaf.n_cells if at_cells else leaf.n_points
             for leaf in _leaves(self._mesh) if isinstance(leaf, pv.DataSet)])))
@@ -532,8 +535,8 @@ class WindingAccessor:
     @_with_options
     def clip(self, surface: pv.DataObject, *, inside_out: bool = False,
              progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.DataObject:
-        """The part of this mesh that is inside a surface: UnstructuredGrid with all arrays, its
-        cells cut where the inside ends, to first order. inside_out takes the part outside."""
+        """Returns the part of this mesh that is inside a surface: UnstructuredGrid with all arrays,
+        its cells cut where the inside ends, to first order. inside_out takes the part outside."""
         is_inverse = _options.flag("inside_out", inside_out)
         inside = self._probe(surface, {"inside": np.dtype("u1")}, progress_bar, "Clipping", options)
         kept = (inside["inside"] == 1) != is_inverse
@@ -552,7 +555,8 @@ class WindingAccessor:
     @_with_options
     def signed_distance(self, surface: pv.DataObject, *, inplace: bool = False,
                         progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.DataObject:
-        """A copy with the point array 'implicit_distance': distances to a surface, negative inside.
+        """Returns a copy with the point array 'implicit_distance': distances to a surface, negative
+        inside.
 
         They are as in DataSetFilters.compute_implicit_distance, but their signs come from
         winding numbers, so the surface need not be closed. inplace adds the array to this mesh.
@@ -566,8 +570,8 @@ class WindingAccessor:
     def sample(self, surface: pv.DataObject, *, association: str = "point",
                fraction: bool = False, nearest_cells: bool = False, progress_bar: bool = False,
                **options: Unpack[SourceOptions]) -> pv.DataObject:
-        """A copy with the array 'WindingNumber' of a surface, at the points of this mesh or at the
-        centres of its cells.
+        """Returns a copy with the array 'WindingNumber' of a surface, at the points of this mesh or
+        at the centres of its cells.
 
         fraction adds the cell array 'Fraction', the share of each cell that is inside: for closed
         surfaces, shares times volumes add up to the volume of what is inside. A cell without volume
@@ -611,7 +615,8 @@ class WindingAccessor:
                spacing: ArrayLike | None = None, resolution: int | None = None,
                bounds: ArrayLike | None = None, padding: float = 0.05,
                progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.ImageData:
-        """The solid that each voxel of a grid is in: ImageData with the array 'Label', 0 outside.
+        """Returns the solid that each voxel of a grid is in: ImageData with the array 'Label', 0
+        outside.
 
         The solids are the blocks of a MultiBlock, with the labels 1, 2, ... by their places, else the
         values of the cell array `scalars`, which are the labels themselves if they are integers of
@@ -642,7 +647,7 @@ class WindingAccessor:
         return image
 
     def _solids(self, scalars, options):
-        """The parts of this mesh that are solids, with their names and labels."""
+        """Returns the parts of this mesh that are solids, with their names and labels."""
         mesh = self._mesh
         if isinstance(mesh, pv.MultiBlock):
             if scalars is not None:
@@ -696,7 +701,7 @@ class WindingAccessor:
     def report(self, *, normals_array: str | None = None, surface_cells: bool = False,
                mirror: str | None = None, flat_base: str | None = None,
                weld_tolerance: float = 0, progress_bar: bool = False) -> dict[str, Any]:
-        """What is wrong with this mesh or cloud, and what to do: a dict.
+        """Returns what is wrong with this mesh or cloud, and what to do: a dict.
 
         surface_cells: whether the faces of a mesh that has cells with volume, too, are taken.
         mirror, flat_base, weld_tolerance: complete a surface first, as for field().
@@ -721,9 +726,9 @@ class WindingAccessor:
 
     def fix_orientation(self, *, surface_cells: bool = False, weld_tolerance: float = 0,
                         progress_bar: bool = False) -> pv.PolyData:
-        """A copy as PolyData, its faces, or a cloud's normals, turned so that they look outward.
-        Faces that are there twice are taken once. weld_tolerance: the distance up to which points
-        are one for this."""
+        """Returns a copy as PolyData, its faces, or a cloud's normals, turned so that they look
+        outward. Faces that are there twice are taken once. weld_tolerance: the distance up to which
+        points are one for this."""
         source = _source(self._mesh, surface_cells=surface_cells)
         with bar(progress_bar, "Looking at the mesh") as show:
             if source.is_surface:
@@ -772,7 +777,8 @@ class WindingAccessor:
                        normal_estimation: str = "auto", toward: str | ArrayLike | None = None,
                        normals_array: str | None = None,
                        n_threads: int | None = None, progress_bar: bool = False) -> pv.DataObject:
-        """A copy with the point array 'Area': the area that each point of a cloud stands for.
+        """Returns a copy with the point array 'Area': the area that each point of a cloud stands
+        for.
 
         method: 'voronoi', 'mesh' (a third of every triangle around a point) or 'constant'
         (point_area; 0 for the mean of 'voronoi'). With estimate_normals, points that have no
@@ -820,7 +826,7 @@ def read(path: str, **_: Any) -> pv.PolyData:
 
 
 def accessor_of(mesh):
-    """mesh.winding, which PyVista keeps where it knows accessors."""
+    """Returns mesh.winding, which PyVista keeps where it knows accessors."""
     found = getattr(mesh, "winding", None)
     return found if isinstance(found, WindingAccessor) else WindingAccessor(mesh)
 

@@ -62,7 +62,7 @@ def _field(vertices, faces, normals, areas, options):
 def winding_number(points: ArrayLike, vertices: ArrayLike, faces: ArrayLike | None = None, *,
                    normals: ArrayLike | None = None, areas: ArrayLike | None = None,
                    dtype: DTypeLike = np.float32, **options: Unpack[FieldOptions]) -> FloatArray:
-    """The winding number of a surface or a cloud at points (N, 3): (N,) floats."""
+    """Returns the winding number of a surface or a cloud at points (N, 3): (N,) floats."""
     return _field(vertices, faces, normals, areas, options).winding_number(points, dtype=dtype)
 
 
@@ -70,7 +70,7 @@ def winding_number(points: ArrayLike, vertices: ArrayLike, faces: ArrayLike | No
 def contains(points: ArrayLike, vertices: ArrayLike, faces: ArrayLike | None = None, *,
              normals: ArrayLike | None = None, areas: ArrayLike | None = None,
              **options: Unpack[FieldOptions]) -> BoolArray:
-    """Whether points (N, 3) are inside of a surface or a cloud: (N,) bools."""
+    """Returns whether points (N, 3) are inside of a surface or a cloud: (N,) bools."""
     return _field(vertices, faces, normals, areas, options).contains(points)
 
 
@@ -78,8 +78,7 @@ def contains(points: ArrayLike, vertices: ArrayLike, faces: ArrayLike | None = N
 def signed_distance(points: ArrayLike, vertices: ArrayLike, faces: ArrayLike | None = None, *,
                     normals: ArrayLike | None = None, areas: ArrayLike | None = None,
                     dtype: DTypeLike = np.float32, **options: Unpack[FieldOptions]) -> FloatArray:
-    """The distances of points (N, 3) to the nearest triangle, or point of a cloud, negative inside:
-    (N,) floats."""
+    """Returns distances of points (N, 3) to a surface or cloud, negative inside: (N,) floats."""
     return _field(vertices, faces, normals, areas, options).signed_distance(points, dtype=dtype)
 
 
@@ -89,8 +88,8 @@ def field(vertices: ArrayLike, faces: ArrayLike | None = None, *, normals: Array
           dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
           bounds: ArrayLike | None = None, padding: float = 0.05, dtype: DTypeLike = np.float32,
           **options: Unpack[FieldOptions]) -> Grid:
-    """The winding number on a grid over a surface or a cloud: a Grid. Field.field() says what the
-    grid is."""
+    """Returns the winding number on a grid over a surface or a cloud: a Grid. Field.field() says
+    what the grid is."""
     return _field(vertices, faces, normals, areas, options).field(
         resolution=resolution, dimensions=dimensions, spacing=spacing, bounds=bounds,
         padding=padding, dtype=dtype)
@@ -105,7 +104,7 @@ def surface(vertices: ArrayLike, faces: ArrayLike | None = None, *,
             fill_cavities: bool = False, offset: float = 0, shell: float = 0,
             shell_side: str = "inward", dtype: DTypeLike | None = None,
             **options: Unpack[FieldOptions]) -> tuple[FloatArray, IdArray]:
-    """The surface w = threshold of a surface or a cloud: vertices (V, 3) and faces (F, 3).
+    """Returns the surface w = threshold of a surface or a cloud: vertices (V, 3) and faces (F, 3).
     Field.surface() says what the arguments are."""
     return _field(vertices, faces, normals, areas, options).surface(
         resolution=resolution, dimensions=dimensions, spacing=spacing, bounds=bounds,

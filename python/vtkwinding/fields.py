@@ -36,7 +36,7 @@ class Grid(NamedTuple):
 
 
 def float_type(dtype: Any) -> np.dtype:
-    """float32 or float64, by any of the names that NumPy knows them by."""
+    """Returns float32 or float64, by any of the names that NumPy knows them by."""
     try:
         found = None if dtype is None else np.dtype(dtype)
     except TypeError:
@@ -47,7 +47,7 @@ def float_type(dtype: Any) -> np.dtype:
 
 
 def _parts(vertices, faces, normals=None, areas=None):
-    """Vertices, faces, normals and areas, which may be attributes of a mesh."""
+    """Returns vertices, faces, normals and areas, which may be attributes of a mesh."""
     if faces is not None or not hasattr(vertices, "vertices") or not hasattr(vertices, "faces"):
         return vertices, faces, normals, areas
     if isinstance(vertices, Mesh) and vertices.faces is None:
@@ -87,7 +87,7 @@ class Places(NamedTuple):
 
 
 def find_places(points, polygons, samples, options, *, with_weights=True, threads=0, show=None):
-    """The places of samples among faces as the library takes them, or among points for None."""
+    """Returns places of samples among faces as the library takes them, or points for None."""
     count = len(samples)
     rows = count if with_weights else 0
     found = Places(np.empty(count, np.int64), np.empty((rows, 3), np.int64), np.empty((rows, 3)))
@@ -240,7 +240,7 @@ class Field:
 
     @staticmethod
     def _kept(array):
-        """A copy, so that the field stays what it is when the array is changed."""
+        """Returns a copy, so that the field stays what it is when the array is changed."""
         return array.copy()
 
     def __getstate__(self):
@@ -255,7 +255,7 @@ class Field:
                       self._rule if rule is None else rule, self._n_threads, self._longest)
 
     def _handle(self, scattered):
-        """The field of the library for points, or for grids."""
+        """Returns the field of the library for points, or for grids."""
         with self._lock:
             if scattered not in self._handles:
                 handle = _library.Handle("winding_field_free")
@@ -307,7 +307,7 @@ class Field:
         return bool(info.is_surface) and info.net_boundary_edges == 0 and info.primitives > 0
 
     def _at(self, places, kinds, sides, show=None):
-        """The values of some kinds at points: arrays by their names in the library."""
+        """Returns the values of some kinds at points: arrays by their names in the library."""
         values, arrays = _values_of((len(places),), kinds)
         if len(places):
             _library.call("winding_evaluate_points", self._handle(True), _library.array_of(places),
@@ -319,24 +319,24 @@ class Field:
         return self._at(_numbers.vectors("points", points), {name: dtype}, sides)[name]
 
     def winding_number(self, points: ArrayLike, *, dtype: DTypeLike = np.float32) -> FloatArray:
-        """The winding number at points (N, 3): (N,) floats."""
+        """Returns the winding number at points (N, 3): (N,) floats."""
         return self._one_at(points, "winding", float_type(dtype), self._sides())
 
     def contains(self, points: ArrayLike, *, threshold: float | None = None,
                  rule: str | None = None) -> BoolArray:
-        """Whether points (N, 3) are inside: (N,) bools. A threshold or rule given here counts
-        instead of the field's, and nothing is built anew."""
+        """Returns whether points (N, 3) are inside: (N,) bools. A threshold or rule given here
+        counts instead of the field's, and nothing is built anew."""
         inside = self._one_at(points, "inside", np.dtype("u1"), self._sides(threshold, rule))
         return inside.view(np.bool_)
 
     def signed_distance(self, points: ArrayLike, *, dtype: DTypeLike = np.float32,
                         threshold: float | None = None, rule: str | None = None) -> FloatArray:
-        """The distances of points (N, 3) to the nearest triangle, or point of a cloud, negative
-        inside: (N,) floats."""
+        """Returns distances of points (N, 3) to a surface or cloud, negative inside: (N,)
+        floats."""
         return self._one_at(points, "distance", float_type(dtype), self._sides(threshold, rule))
 
     def nearest(self, points: ArrayLike) -> Places:
-        """The faces, or the points of a cloud, that are nearest to points (N, 3): Places.
+        """Returns the faces, or the points of a cloud, that are nearest to points (N, 3): Places.
 
         Data of the vertices is interpolated by
         ``(data[places.corners] * places.weights[..., None]).sum(1)``, and data of the faces is
@@ -351,7 +351,7 @@ class Field:
                            threads=self._sides().run["threads"])
 
     def gradient(self, points: ArrayLike) -> FloatArray:
-        """The gradient of the winding number at points (N, 3), in 1/length: (N, 3) floats."""
+        """Returns the gradient of w at points (N, 3), in 1/length: (N, 3) floats."""
         return self._one_at(points, "gradient", np.dtype("f8"), self._sides())
 
     def _fractions(self, points, types, corners, offsets, sides, show=None):
@@ -364,7 +364,7 @@ class Field:
 
     def fractions(self, points: ArrayLike, types: ArrayLike, corners: ArrayLike,
                   offsets: ArrayLike) -> FloatArray:
-        """The share of each cell of a mesh over points (N, 3) that is inside: (C,) floats.
+        """Returns the share of each cell of a mesh over points (N, 3) that is inside: (C,) floats.
 
         For closed surfaces shares times volumes add up to the volume of what is inside. types (C,)
         are VTK's: 10 tetrahedron, 11 voxel, 12 hexahedron, 13 wedge, 14 pyramid, 15 and 16 prisms,
@@ -386,7 +386,7 @@ class Field:
                                starts.astype(np.int64), self._sides())
 
     def _grid(self, reach=0, **wishes):
-        """The grid of the library for wishes, over the source and what is within reach of it."""
+        """Returns the grid of the library for wishes, over the source and its reach."""
         def bounds():
             found = self.bounds
             return [0, 1] * 3 if np.isnan(found).any() else _grids.grown(found.tolist(), reach)
@@ -394,7 +394,7 @@ class Field:
         return grid_of(_grids.Plan(bounds, **wishes), bounds)
 
     def _on_grid(self, grid, kinds, sides, show=None, **settings):
-        """The values of some kinds on a grid: arrays by their names in the library."""
+        """Returns the values of some kinds on a grid: arrays by their names in the library."""
         values, arrays = _values_of(tuple(grid.dimensions), kinds, **settings)
         _library.call("winding_evaluate_grid", self._handle(False), ctypes.byref(grid), None,
                       ctypes.byref(sides.rule), ctypes.byref(values), _library.RUN, show=show,
@@ -404,7 +404,7 @@ class Field:
     def field(self, *, resolution: int | None = None, dimensions: ArrayLike | None = None,
               spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
               padding: float = 0.05, dtype: DTypeLike = np.float32) -> Grid:
-        """The winding number on a grid: a Grid.
+        """Returns the winding number on a grid: a Grid.
 
         resolution is the number of cubic voxels along the longest side (64 where nothing is said),
         dimensions that along each axis, spacing the side of the voxels, one number or three. The
@@ -421,7 +421,8 @@ class Field:
              spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
              padding: float = 0.05, coverage: str = "center", threshold: float | None = None,
              rule: str | None = None) -> Grid:
-        """The voxels of a grid that are inside: a Grid of bools. The grid is laid out as in field().
+        """Returns the voxels of a grid that are inside: a Grid of bools. The grid is laid out as in
+        field().
 
         coverage: 'center' for voxels whose centre is inside, 'any' for voxels with any part inside,
         or that the source touches."""
@@ -439,7 +440,7 @@ class Field:
                 shell_side: str = "inward", dtype: DTypeLike | None = None,
                 threshold: float | None = None, rule: str | None = None
                 ) -> tuple[FloatArray, IdArray]:
-        """The surface w = threshold: vertices (V, 3) and faces (F, 3).
+        """Returns the surface w = threshold: vertices (V, 3) and faces (F, 3).
 
         The grid is laid out as in field(). features: 'smooth'; 'sharp', which keeps edges and
         corners; or 'voxels', the sides of voxels. The vertices have the given dtype: float32,
@@ -465,7 +466,7 @@ class Field:
         return arrays["points"], arrays["corners"].reshape(-1, 3)
 
     def _level_surface(self, grid, sides, *, show=None, generate_normals=0, **settings):
-        """The arrays of the surface as triangles."""
+        """Returns the arrays of the surface as triangles."""
         options = _library.SurfaceOptions(
             generate_triangles=1, generate_normals=generate_normals, **settings)
         mesh = _library.Handle("winding_mesh_free")
@@ -476,8 +477,8 @@ class Field:
 
 
 def _values_of(shape, kinds, **settings):
-    """The struct of the library for values of some kinds, and the arrays that it fills: for the
-    samples of a grid, x runs fastest."""
+    """Returns the struct of the library for values of some kinds, and the arrays that it fills: for
+    the samples of a grid, x runs fastest."""
     values, arrays = _library.Values(**settings), {}
     for name, dtype in kinds.items():
         arrays[name] = np.empty((*shape, 3)) if name == "gradient" else _empty(shape, dtype)
@@ -492,7 +493,7 @@ def _on(grid, values):
 
 
 def _empty(shape, dtype):
-    """An array for the samples of a grid, x running fastest."""
+    """Returns an array for the samples of a grid, x running fastest."""
     try:
         return np.empty(shape, dtype, order="F")
     except (MemoryError, ValueError) as error:
@@ -502,7 +503,7 @@ def _empty(shape, dtype):
 
 
 def grid_of(plan, source_bounds):
-    """The grid of the library for a Plan."""
+    """Returns the grid of the library for a Plan."""
     request = _library.GridRequest()
     bounds = plan.bounds
     if bounds is None:
@@ -527,8 +528,9 @@ def labels(fields: list[Field], *, resolution: int | None = None,
            bounds: ArrayLike | None = None, padding: float = 0.05, overlap: str = "first",
            coverage: str = "center", threshold: float = 0.5, rule: str = "signed",
            n_threads: int | None = None) -> Grid:
-    """Labels of several solids on one grid: a Grid of uint16, 1, 2, ... in the order of the fields,
-    and 0 outside of all. threshold and rule are for all of them; the fields' own do not count.
+    """Returns labels of several solids on one grid: a Grid of uint16, 1, 2, ... in the order of
+    the fields, and 0 outside of all. threshold and rule are for all of them; the fields' own do
+    not count.
 
     overlap says which of several solids gives its label: 'first', 'last', 'largest' (winding
     number) or 'smallest' (volume). coverage: 'center' for voxels whose centre is in a solid,
@@ -556,7 +558,7 @@ def labels(fields: list[Field], *, resolution: int | None = None,
 
 
 def box_of(fields):
-    """The box of the sources of fields; None for no source."""
+    """Returns the box of the sources of fields; None for no source."""
     found = np.array([field.bounds for field in fields]).reshape(-1, 6)
     found = found[~np.isnan(found).any(axis=1)]
     if not len(found):
@@ -567,8 +569,9 @@ def box_of(fields):
 
 def label(fields, grid, sides, overlap, coverage, *, numbers=None, names=None,
           have_one_unit=False, show=None):
-    """Labels of fields at the samples of a grid of the library, by numbers for the choices. The
-    labels are 1, 2, ... unless they are given. Units are compared unless the fields have one."""
+    """Returns labels of fields at the samples of a grid of the library, by numbers for the
+    choices. The labels are 1, 2, ... unless they are given. Units are compared unless the fields
+    have one."""
     found = _empty(tuple(grid.dimensions), np.uint16)
     handles = (ctypes.c_void_p * len(fields))(*(field._handle(False).value for field in fields))
     options = _library.LabelOptions(overlap_rule=overlap, coverage=coverage,
@@ -587,8 +590,8 @@ def label(fields, grid, sides, overlap, coverage, *, numbers=None, names=None,
 def report(vertices: Any, faces: ArrayLike | None = None, *,
            normals: ArrayLike | None = None, mirror: str | None = None,
            flat_base: str | None = None, weld_tolerance: float = 0) -> dict[str, Any]:
-    """The health of a surface, or of a cloud where there are no faces: counts and measures, and
-    'advice' in words, the most important first. winding_report and winding_cloud_report of the
+    """Returns the health of a surface, or of a cloud where there are no faces: counts and measures,
+    and 'advice' in words, the most important first. winding_report and winding_cloud_report of the
     library say what the entries mean. mirror, flat_base and weld_tolerance: as for Field."""
     vertices, faces, normals, _ = _parts(vertices, faces, normals)
     if faces is not None:
@@ -604,8 +607,9 @@ def report(vertices: Any, faces: ArrayLike | None = None, *,
 
 def completed(points, corners, offsets=None, *, mirror, flat_base, weld_tolerance, notes,
               call=_library.call):
-    """Points, corners and offsets of a surface with its mirror images and its base: triangles (F, 3)
-    without offsets, or what came in where nothing is asked for. Lines on these join the notes."""
+    """Returns points, corners and offsets of a surface with its mirror images and its base:
+    triangles (F, 3) without offsets, or what came in where nothing is asked for. Lines on these
+    join the notes."""
     if not (mirror or flat_base or weld_tolerance):
         return points, corners, offsets
     options = _library.Options(
@@ -633,8 +637,8 @@ def welded(points, tolerance):
 
 
 def report_of(points, polygons, normals, *, show=None, notes=(), counts=()):
-    """The report on polygons, or on a cloud where there are none, with lines of advice and counts
-    that are known before."""
+    """Returns the report on polygons, or on a cloud where there are none, with lines of advice and
+    counts that are known before."""
     advice: list[str] = []
     places = _library.array_of(points)
     if polygons is not None:
@@ -651,7 +655,7 @@ def report_of(points, polygons, normals, *, show=None, notes=(), counts=()):
 
 
 def _plain(value):
-    """A number, or a tuple of numbers; None for those that cannot be had."""
+    """Returns a number, or a tuple of numbers; None for those that cannot be had."""
     if isinstance(value, ctypes.Array):
         return None if np.isnan(list(value)).any() else tuple(value)
     return None if value != value else value
@@ -659,8 +663,8 @@ def _plain(value):
 
 def fix_orientation(vertices: Any, faces: ArrayLike | None = None, *,
                     weld_tolerance: float = 0) -> IdArray:
-    """The faces (F, 3) of a surface, turned so that they look outward; faces that are there twice
-    are taken once. weld_tolerance: as for Field."""
+    """Returns the faces (F, 3) of a surface, turned so that they look outward; faces that are there
+    twice are taken once. weld_tolerance: as for Field."""
     points, ids = _numbers.surface(*_parts(vertices, faces)[:2])
     ids = ids.astype(np.int64, copy=False)
     turned, left_out = orientation_of(
@@ -670,7 +674,7 @@ def fix_orientation(vertices: Any, faces: ArrayLike | None = None, *,
 
 
 def orientation_of(points, polygons, count, show=None):
-    """Of each polygon, 1 where it is to be turned, and 1 where it is to be left out."""
+    """Returns for each polygon 1 where it is to be turned, and 1 where it is to be left out."""
     turned, left_out = (np.empty(count, np.uint8) for _ in range(2))
     _library.call("winding_orient", _library.array_of(points), ctypes.byref(polygons),
                   _library.RUN, ctypes.c_void_p(turned.ctypes.data),
@@ -681,7 +685,7 @@ def orientation_of(points, polygons, count, show=None):
 def estimate_normals(vertices: ArrayLike, *, normal_estimation: str = "auto",
                      toward: str | ArrayLike | None = None,
                      n_neighbors: int = 20) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
-    """Outward unit normals (V, 3) and areas (V,) of the points of a cloud; toward as for Field."""
+    """Returns outward unit normals (V, 3) and areas (V,) of a cloud; toward as for Field."""
     points = _numbers.vectors("vertices", vertices)
     options = _library.Options(
         number_of_neighbors=_options.integer("n_neighbors", n_neighbors, 3, 1000),
@@ -697,7 +701,7 @@ def estimate_normals(vertices: ArrayLike, *, normal_estimation: str = "auto",
 
 def point_areas(vertices: ArrayLike, normals: ArrayLike, *,
                 n_neighbors: int = 20) -> NDArray[np.float64]:
-    """The areas (V,) that the points of a cloud with normals (V, 3) stand for."""
+    """Returns the areas (V,) that the points of a cloud with normals (V, 3) stand for."""
     points = _numbers.vectors("vertices", vertices)
     directions = _numbers.vectors("normals", normals)
     if len(directions) != len(points):

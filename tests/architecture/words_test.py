@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Lines have at most 100 columns, comments open with a verb or their subject, and words that make a
-reader read twice only get fewer.
+"""Lines have at most 100 columns, comments open with a verb or their subject, comments of Python's
+functions with a verb, and words that make a reader read twice only get fewer.
 
 Usage: words_test.py <root of the repository>. Prints one line for each fault, and fails if there is
 any. Whether a comment can be read alone is beyond a test; this one finds those that surely cannot.
 """
 
+import ast
 import pathlib
 import re
 import sys
@@ -33,6 +34,21 @@ MOST = {
 COMMENT_MARK = re.compile(r"\s*\n\s*(///?<?|\*)?\s*")
 
 
+def without_verb(root):
+    """Yields functions of Python, except properties, whose comment does not open with a verb."""
+    for folder in ("python/vtkwinding", "paraview-plugin/python"):
+        for path in sorted((root / folder).rglob("*.py")):
+            for node in ast.walk(ast.parse(path.read_text())):
+                if not isinstance(node, ast.FunctionDef) or ast.get_docstring(node) is None:
+                    continue
+                if any("property" in ast.unparse(decorator) for decorator in node.decorator_list):
+                    continue
+                first = ast.get_docstring(node).split()[0]
+                if not re.fullmatch("[A-Z][a-z]*s", first) or first in ("As", "This"):
+                    where = f"{path.relative_to(root)}:{node.lineno}"
+                    yield f"{where}: {node.name} opens with '{first}'"
+
+
 def main(root):
     faults, files, texts = [], 0, []
     for folder in FOLDERS:
@@ -49,6 +65,7 @@ def main(root):
                     faults.append(f"{name}:{number}: {len(line)} columns")
                 if RIDDLE.match(line):
                     faults.append(f"{name}:{number}: {line.strip()}")
+    faults += without_verb(root)
     if files == 0:
         faults.append(f"no files below {root}")
     for words, most in MOST.items():

@@ -52,12 +52,12 @@ def _add_property(kind, name):
 
 
 def text_of(value):
-    """A number as C++ prints it."""
+    """Returns a number as C++ prints it."""
     return f"{value:.10g}"
 
 
 def _free_bytes():
-    """The memory that is free, where the system says so."""
+    """Returns the memory that is free, where the system says so."""
     try:
         with open("/proc/meminfo", encoding="ascii") as file:
             found = re.search(r"MemAvailable: *(\d+) kB", file.read())
@@ -67,7 +67,7 @@ def _free_bytes():
 
 
 def words_of_memory(count):
-    """Bytes in words."""
+    """Returns bytes in words."""
     mebi = count / 2**20
     return f"{mebi / 1024:.3g} GiB" if mebi >= 1000 else f"{mebi:.3g} MiB"
 
@@ -82,7 +82,7 @@ def refuse_beyond_memory(count, what):
 
 
 def new_array(name, dtype, count, components=1):
-    """An array of VTK, and NumPy's view of it."""
+    """Returns an array of VTK, and NumPy's view of it."""
     size = count * components * np.dtype(dtype).itemsize
     refuse_beyond_memory(size, f"the result of {count} samples")
     try:
@@ -117,7 +117,7 @@ def add_number(data, name, value, dtype=np.float64):
 
 
 def copied(name, values, components=1):
-    """An array of VTK with the numbers of an array of NumPy."""
+    """Returns an array of VTK with the numbers of an array of NumPy."""
     array, view = new_array(name, values.dtype, len(values), components)
     view[...] = values
     return array
@@ -152,7 +152,7 @@ class Algorithm(VTKPythonAlgorithmBase):
         return answer
 
     def value(self, name):
-        """The value of a property, which must be one that it may have."""
+        """Returns the value of a property, which must be one that it may have."""
         found, declared_as = self.values[name], self.properties[name]
         values = found if isinstance(found, (tuple, list)) else [found]
         choices = [number for _, number in declared_as.choices]
@@ -278,7 +278,7 @@ class Algorithm(VTKPythonAlgorithmBase):
                       words=_library.PARAVIEW_WORDS, show=show, note=note or self.warn)
 
     def note_progress(self, elapsed, share):
-        """Is told how long a call has taken for a share of its work."""
+        """Takes note of how long a call has taken for a share of its work."""
 
     def FillOutputPortInformation(self, port, info):
         info.Set(vtkDataObject.DATA_TYPE_NAME(), self.OutputType)

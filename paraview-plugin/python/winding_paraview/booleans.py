@@ -88,7 +88,7 @@ class WindingNumberBoolean(SurfaceAlgorithm):
                 for index in range(self.GetNumberOfInputConnections(port))]
 
     def source(self):
-        """The operands as blocks with names."""
+        """Returns the operands as blocks with names."""
         found = [(self.GetInputDataObject(port, index), self.names[port].get(index))
                  for port in (0, 1) for index in range(self.GetNumberOfInputConnections(port))]
         if len(found) == 1:
@@ -96,7 +96,7 @@ class WindingNumberBoolean(SurfaceAlgorithm):
         return named_blocks(found)
 
     def bounds_of_source(self, data, ranks):
-        """The box of what the result can reach, or None."""
+        """Returns the box of what the result can reach, or None."""
         boxes = [super(WindingNumberBoolean, self).bounds_of_source(data.GetBlock(index), ranks)
                  for index in range(data.GetNumberOfBlocks())]
         return reach_of(boxes, self.value("Operation"),

@@ -38,7 +38,7 @@ def _order(path):
 
 
 def read(folder):
-    """The texts of the XML files of a folder, bases first and the menu last."""
+    """Returns the texts of the XML files of a folder, bases first and the menu last."""
     paths = sorted(pathlib.Path(folder).glob("*.pvxml"), key=_order)
     if not paths:
         raise FileNotFoundError(f"there are no files of XML in {folder}")
@@ -48,7 +48,7 @@ def read(folder):
 
 
 def _of_python(text, icons):
-    """The XML with classes of this package instead of those in C++, and icons of a folder."""
+    """Returns the XML with classes of this package in place of C++'s, and icons of a folder."""
     text = re.sub(
         r'(<SourceProxy\b[^>]*?\s)class="vtk(\w+)"',
         rf'\1class="{_MODULE}.\2" si_class="vtkSIPythonSourceProxy"', text)
@@ -58,7 +58,7 @@ def _of_python(text, icons):
 
 
 def properties_of(folder):
-    """The properties that can be set of each class of this package, by their names."""
+    """Returns the properties that can be set of each class of this package, by their names."""
     proxies, of_class = {}, {}
     for text in read(folder):
         for proxy in ElementTree.fromstring(text).iter("SourceProxy"):
@@ -71,7 +71,7 @@ def properties_of(folder):
 
 
 def _property_of(element):
-    """The name of an element's property, and the property itself, or None where none can be set."""
+    """Returns the name of an element's property, and the property; None if none can be set."""
     command, name = element.get("command", ""), element.get("name")
     is_value = element.tag in ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty")
     if not is_value or command != f"Set{name}" or element.get("information_only"):

@@ -38,13 +38,13 @@ def sample_count(extent):
 
 
 def _place_of(image):
-    """The origin, the spacing and the directions of an image."""
+    """Returns the origin, the spacing and the directions of an image."""
     return (list(image.GetOrigin()), list(image.GetSpacing()),
             directions_of(image).ravel().tolist())
 
 
 def _is_inside(part, whole):
-    """Whether an extent lies in another."""
+    """Returns whether an extent lies in another."""
     return (all(one >= other for one, other in zip(part[::2], whole[::2]))
             and all(one <= other for one, other in zip(part[1::2], whole[1::2])))
 
@@ -85,7 +85,7 @@ class GridAlgorithm(SourceAlgorithm):
         return 1
 
     def source(self):
-        """The source as the inputs hold it now."""
+        """Returns the source as the inputs hold it now."""
         return self.GetInputDataObject(0, 0)
 
     def connections(self):
@@ -115,11 +115,11 @@ class GridAlgorithm(SourceAlgorithm):
             raise WindingError(_FIRST)
 
     def bounds_key(self):
-        """What bounds_of_source() depends on, except the source itself."""
+        """Returns what bounds_of_source() depends on, except the source itself."""
         return self.key_of(None)[1:]
 
     def bounds_of_source(self, data, ranks):
-        """The box of the source on all ranks, or None."""
+        """Returns the box of the source on all ranks, or None."""
         key = self.key_of(data)
         if not ranks.same(int(key == self._bounds[0])) or key != self._bounds[0]:
             own = ranks.agree(lambda: welded(
@@ -140,11 +140,11 @@ class GridAlgorithm(SourceAlgorithm):
         return self._bounds[1]
 
     def is_of_all_times(self):
-        """Whether the result is one of all times."""
+        """Returns whether the result is one of all times."""
         return False
 
     def _times(self):
-        """The times of all sources, the one that they have now, and a key of where these come from."""
+        """Returns the times of all sources, the present one, and a key of where they come from."""
         times, moving, key = set(), None, []
         for connection in self.connections():
             producer = connection.GetProducer()
@@ -179,7 +179,7 @@ class GridAlgorithm(SourceAlgorithm):
                     self.update_source(request)
 
     def has_time_steps(self):
-        """Whether the source has steps of time; a range alone is refused."""
+        """Returns whether the source has steps of time; a range alone is refused."""
         for connection in self.connections():
             info = connection.GetProducer().GetOutputInformation(connection.GetIndex())
             if info.Has(Pipeline.TIME_RANGE()) and not info.Get(Pipeline.TIME_STEPS()):
@@ -208,14 +208,14 @@ class GridAlgorithm(SourceAlgorithm):
         self._bounds_of_times = (key, found)
 
     def _bounds_of_grid(self, data, ranks):
-        """The box that the grid lies over: that of what the source can become, or None."""
+        """Returns the box that the grid lies over: that of what the source can become, or None."""
         if not self.values["UseInputBounds"]:
             return None
         bounds = self._bounds_of_times[1] or self.bounds_of_source(data, ranks)
         return bounds and _grids.grown(bounds, self.reach_beyond_source())
 
     def reach_beyond_source(self):
-        """By how much the result reaches beyond the source."""
+        """Returns by how much the result reaches beyond the source."""
         return 0
 
     def lay_out_grid(self, data, ranks):
@@ -244,7 +244,7 @@ class GridAlgorithm(SourceAlgorithm):
         return grid
 
     def moved_grid(self, data, ranks):
-        """The grid over the source as it is now, which may be that of another time."""
+        """Returns the grid over the source as it is now, which may be that of another time."""
         bounds = self._bounds_of_grid(data, ranks)
         if bounds is None or list(self.request.sampling_bounds) == list(bounds):
             return self.laid_out
@@ -264,7 +264,7 @@ class GridAlgorithm(SourceAlgorithm):
                 "only winding numbers can be verified: use Generate Winding Number")
 
     def verify(self, field, grid, extent, values):
-        """The differences of values from the sum over all primitives, if these are wanted."""
+        """Returns how far values are from the sum over all primitives, if that is wanted."""
         if self.value("VerifySamples") == 0:
             return None
         found = _library.Verification()
@@ -274,7 +274,7 @@ class GridAlgorithm(SourceAlgorithm):
         return found
 
     def verify_all(self, fields, grid, extent):
-        """The differences of the fields of several solids together."""
+        """Returns the differences of the fields of several solids together."""
         if self.value("VerifySamples") == 0 or not sample_count(extent):
             return None
         total, squares = _library.Verification(), 0.0
@@ -541,7 +541,7 @@ class ResultArrays:
         self.kind = kind
 
     def values(self, **members):
-        """The struct of the library that fills the arrays."""
+        """Returns the struct of the library that fills the arrays."""
         found = _library.Values(type=_library.TYPES[np.dtype(self.kind)], **members)
         for member, view in self.views.items():
             setattr(found, member, view.ctypes.data)

@@ -97,7 +97,7 @@ class PointAreas(Algorithm):
                       f"with NaN or infinite values, {zero} with normals of length 0)")
 
     def _normals_and_areas(self, parts):
-        """Estimated normals, or None where there are some, and areas with NaN for no area."""
+        """Returns estimated normals, or None where there are some, and areas, NaN for none."""
         method = self.value("PointAreaMethod")
         count = len(parts.points)
         normals, areas = None, np.full(count, np.nan)
@@ -151,7 +151,7 @@ class PointAreas(Algorithm):
 
 
 def _leaf_of(data, normals_array):
-    """The points of a data set that count, or None, and their numbers in the data set."""
+    """Returns the points of a data set that count, or None, and their numbers in the data set."""
     numbered = data.NewInstance()
     numbered.ShallowCopy(data)
     numbered.GetPointData().AddArray(copied(_NUMBERS, np.arange(data.GetNumberOfPoints())))
@@ -170,7 +170,7 @@ def _has_normals(data, name):
 
 
 def _unit(normals):
-    """Normals of unit length, and 0 for those without a direction."""
+    """Returns normals of unit length, and 0 for those without a direction."""
     found = np.zeros((len(normals), 3))
     largest = np.abs(normals).max(axis=1, initial=0)
     are_usable = np.isfinite(largest) & (largest > 0)

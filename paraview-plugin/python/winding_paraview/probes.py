@@ -142,7 +142,7 @@ class ProbeAlgorithm(SourceAlgorithm):
         self.describe(output)
 
     def answers(self, leaves, counts, grid, samples):
-        """What becomes of each data set."""
+        """Returns what becomes of each data set."""
         raise NotImplementedError
 
     def evaluate_samples(self, grid, samples, values):
@@ -175,7 +175,7 @@ class ProbeAlgorithm(SourceAlgorithm):
                 "bounds of the source")
 
     def places_on_grid(self, image):
-        """The samples of an image, in the coordinates of the field."""
+        """Returns the samples of an image, in the coordinates of the field."""
         if self.frame is None:
             return centres_of(image) if self.at_cells() else points_of(image)
         x, y, z = (first + np.arange(count) * step for first, step, count in zip(
@@ -184,7 +184,7 @@ class ProbeAlgorithm(SourceAlgorithm):
         return np.stack([x.ravel(), y.ravel(), z.ravel()], 1)
 
     def turned(self, inside, samples):
-        """What is outside instead of inside. Samples that are nowhere stay outside."""
+        """Returns what is outside instead of inside. Samples that are nowhere stay outside."""
         outside = inside == 0
         return outside if samples is None else outside & np.isfinite(samples).all(axis=1)
 
@@ -258,7 +258,7 @@ class WindingNumberProbe(ProbeAlgorithm):
 
 
     def fractions(self, leaves):
-        """The shares of the cells that are inside, leaf by leaf."""
+        """Returns the shares of the cells that are inside, leaf by leaf."""
         cells = _cells.all_cells_of(leaves)
         if cells.curved:
             self.warn(f"{cells.curved} of {len(cells.types)} cells have curved faces; fractions take "
@@ -303,7 +303,7 @@ class WindingNumberClip(ProbeAlgorithm):
             yield part
 
     def _at_cuts(self, places):
-        """Winding numbers, distances from the source, and slopes."""
+        """Returns winding numbers, distances from the source, and slopes."""
         values, distances = np.empty(len(places)), np.empty(len(places))
         gradients = np.zeros((len(places), 3))
         asked = _library.Values(

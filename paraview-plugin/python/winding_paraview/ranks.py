@@ -27,7 +27,7 @@ class Ranks:
         return self.count == 1
 
     def gather(self, array):
-        """An array of each rank, of any length. Numbers must be ones that a double holds."""
+        """Returns the arrays of all ranks, of any lengths. A double must hold their numbers."""
         own = np.ascontiguousarray(array)
         if self.are_alone:
             return [own]
@@ -66,7 +66,7 @@ class Ranks:
         return result
 
     def texts(self, own):
-        """The texts of all ranks, rank by rank."""
+        """Returns the texts of all ranks, rank by rank."""
         own = list(own)
         if self.are_alone:
             return own
@@ -75,6 +75,6 @@ class Ranks:
         return every.tobytes().decode(errors="replace").split("\0")[:-1]
 
     def same(self, number):
-        """Whether a number is the same on all ranks."""
+        """Returns whether a number is the same on all ranks."""
         numbers = np.concatenate(self.gather(np.array([number], np.int64)))
         return bool((numbers == numbers[0]).all())

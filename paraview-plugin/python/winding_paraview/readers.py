@@ -51,7 +51,7 @@ class SourceReader(Algorithm):
         self._fill(handle, output)
 
     def _wants(self, name):
-        """Whether a property is on. The reader of tables alone has it; for others it is on."""
+        """Returns whether a property is on, as it is for readers that do not have it."""
         return name not in self.values or bool(self.value(name))
 
     def _fill(self, handle, output):

@@ -138,7 +138,7 @@ class SurfaceReport(Algorithm):
             self._report_cloud(parts, data, fixed, output)
 
     def _completed(self, parts, notes):
-        """Parts with what a surface lacks by its owner's word, and notes on that."""
+        """Returns parts with what a surface lacks by its owner's word, and notes on that."""
         if not parts.is_surface:
             return parts
         points, corners, offsets = fields.completed(
@@ -192,7 +192,7 @@ class SurfaceReport(Algorithm):
             add_number(output, name, count, np.int64)
 
     def _fixed_faces(self, source):
-        """The leaves with faces turned so that they agree, and counts of these."""
+        """Returns the leaves with faces turned so that they agree, and counts of these."""
         points = fields.welded(
             np.ascontiguousarray(source.points), self.value("WeldTolerance"))
         turned, left_out = (np.zeros(len(source.offsets) - 1, np.uint8) for _ in range(2))
@@ -210,7 +210,7 @@ class SurfaceReport(Algorithm):
                         "left_out_faces": int(left_out.sum())}
 
     def _fixed_normals(self, source):
-        """The leaves with normals turned so that they agree with their field, and a count."""
+        """Returns the leaves with normals turned to agree with their field, and a count."""
         if source.normals is None and len(source.points):
             raise WindingError("the points have no normals to be turned: use Fix Orientation off, or "
                                "give normals; the filters estimate them themselves")
@@ -294,7 +294,7 @@ def _as_tubes(block, radius):
 
 
 def _with_polygons(leaf, are_turned, are_kept):
-    """A leaf with some polygons turned round, and others left out."""
+    """Returns a leaf with some polygons turned round, and others left out."""
     data = leaf.data
     if not are_turned.any() and are_kept.all():
         return data
@@ -316,7 +316,7 @@ def _with_polygons(leaf, are_turned, are_kept):
 
 
 def _with_lines(leaves, blocks, data):
-    """Leaves, by their blocks, and blocks of lines next to them, in the order of data."""
+    """Returns leaves, by their blocks, and blocks of lines next to them, in the order of data."""
     found = []
     own = dict(zip(blocks, leaves))
     for name, leaf in _datasets.leaves_of(data):
@@ -336,7 +336,7 @@ def _surface_of(mesh):
 
 
 def _joined(leaves, data):
-    """All leaves as one polydata."""
+    """Returns all leaves as one polydata."""
     found = [leaf if isinstance(leaf, vtkPolyData) else _as_polydata(leaf) for leaf in leaves]
     if not isinstance(data, vtkCompositeDataSet):
         return found[0] if found else vtkPolyData()

@@ -63,7 +63,7 @@ def _label(number, what, remedy):
 
 
 def blocks_of(composite):
-    """The blocks of composite data that are solids: names and data objects, or None for no data."""
+    """Returns the blocks of composite data that are solids: names, and data objects or None."""
     found = []
 
     def name_of(about, number):
@@ -94,8 +94,8 @@ def blocks_of(composite):
 
 
 def _part_of(leaf, chosen):
-    """Some of the polygons of a leaf, by their numbers, with the points that they use in the order
-    in which they use them. Ids of points that do not exist become -1."""
+    """Returns some of the polygons of a leaf, by their numbers, with the points that they use in
+    the order in which they use them. Ids of points that do not exist become -1."""
     sizes = np.diff(leaf.offsets)[chosen]
     offsets = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
     corners = leaf.corners[np.repeat(leaf.offsets[chosen] - offsets[:-1], sizes)
@@ -155,7 +155,7 @@ class Solids:
         return self._of_connectivity(data)
 
     def _leaf_of(self, data):
-        """The only leaf of a data set with its polygons, or None without any data; and notes."""
+        """Returns the only leaf of a data set, with its polygons, or None; and notes."""
         source, notes = source_in_words(
             data, normals_array=self._options["normals_array"],
             areas_array=self._options["areas_array"] if (
@@ -242,7 +242,7 @@ class Solids:
                 for number, (name, (_, parts, is_open)) in enumerate(zip(names, own + nothing), 1)]
 
     def _ranks_parts(self, leaf):
-        """The solids by connectivity: names, parts, and whether each is open within others."""
+        """Returns the solids by connectivity: names, parts, and which are open within others."""
         polygons = polygons_of(leaf.corners, leaf.offsets)
         points = fields.welded(
             np.ascontiguousarray(leaf.points), self._filter.value("WeldTolerance"))
@@ -308,7 +308,7 @@ def _check(data):
 
 
 def _are_faces(data):
-    """Which cells of polydata are polygons or strips; all of any other data set."""
+    """Returns which cells of polydata are polygons or strips; all of any other data set."""
     count = data.GetNumberOfCells()
     found = np.ones(count, bool)
     if isinstance(data, vtkPolyData):
@@ -317,8 +317,8 @@ def _are_faces(data):
 
 
 def _regions_of(data, name):
-    """The region of each cell, and the texts that regions number, or None for integers. Cells that
-    are no faces have -1 where there are texts."""
+    """Returns the region of each cell, and the texts that regions number, or None for integers.
+    Cells that are no faces have -1 where there are texts."""
     if data.GetNumberOfCells() == 0:
         return np.empty(0), None
     choose = "choose another array of regions (Region Array)"
@@ -350,7 +350,7 @@ def _regions_of(data, name):
 
 
 def _with_own_names(solids):
-    """The solids, equal names with a number behind them, and how many of these there are."""
+    """Returns the solids, with numbers behind names that are equal, and a count of these."""
     every = {solid.name for solid in solids}
     taken, found, repeated = set(), [], 0
     for solid in solids:
@@ -375,7 +375,7 @@ def _is_of_units(warning):
 
 
 def legend_of(labels):
-    """A line for each label of an image of labels, with its number and its name."""
+    """Returns a line for each label of an image of labels, with its number and its name."""
     facts = labels.GetFieldData()
     values, names = facts.GetArray("LabelValues"), facts.GetAbstractArray("LabelNames")
     count = values.GetNumberOfTuples() if values and names else 0
@@ -428,8 +428,8 @@ class WindingNumberLabels(ImageAlgorithm):
         return sum(self._is_open(info) for info in self.infos)
 
     def _is_open(self, info):
-        """Whether the field of a solid is of a surface with holes; sheets that divide are to have
-        a rim."""
+        """Returns whether the field of a solid is of a surface with holes; sheets that divide are
+        to have a rim."""
         is_sheet = bool(self.values["SheetSide"])
         return bool(info.is_surface and info.net_boundary_edges) and not is_sheet
 
@@ -443,7 +443,7 @@ class WindingNumberLabels(ImageAlgorithm):
         return VTK_UNSIGNED_SHORT
 
     def _prepare(self, data, ranks):
-        """The solids, and the field of each."""
+        """Returns the solids, and the field of each."""
         key = (self.key_of(data), self.values["RegionArray"], self.values["LabelOffset"],
                dict(self.input_names))
         is_kept = self._kept[0] == key

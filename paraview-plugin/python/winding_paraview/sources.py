@@ -48,7 +48,7 @@ ONLY_LINES = "the input has only lines, which bound nothing: make a surface of t
 
 
 def _as_block(data):
-    """Data as a block of a vtkMultiBlockDataSet, which takes no partitioned data sets."""
+    """Returns data as a block of a vtkMultiBlockDataSet, which takes no partitioned data sets."""
     if isinstance(data, vtkPartitionedDataSetCollection):
         blocks = vtkMultiBlockDataSet()
         for index in range(data.GetNumberOfPartitionedDataSets()):
@@ -66,7 +66,7 @@ def _as_block(data):
 
 
 def named_blocks(sources):
-    """Data objects, or None for none, as blocks with names; those without a name are called
+    """Returns data objects, or None for none, as blocks with names; those without a name are called
     "Input 1" and so on."""
     blocks = vtkMultiBlockDataSet()
     for index, (data, name) in enumerate(sources):
@@ -76,7 +76,7 @@ def named_blocks(sources):
 
 
 def blocks_with_names(data):
-    """The blocks of a data object with their names, or None if it has none."""
+    """Returns the blocks of a data object with their names, or None if it has none."""
     data = _as_block(data)
     if not isinstance(data, vtkMultiBlockDataSet):
         return None
@@ -89,7 +89,7 @@ def blocks_with_names(data):
 
 
 def kind_of(data):
-    """Whether a source is a mesh, or a cloud, or nothing yet."""
+    """Returns whether a source is a mesh, or a cloud, or nothing yet."""
     kind = NO_SOURCE
     if data is None:
         return kind
@@ -133,7 +133,7 @@ class Parts:
         return [getattr(self, name) for name in self.NAMES]
 
     def bounds(self):
-        """The box of the points that count; None for none."""
+        """Returns the box of the points that count; None for none."""
         points = self.points
         if self.is_surface:
             are_used = np.zeros(len(points), bool)
@@ -157,7 +157,7 @@ def welded(parts, tolerance):
 
 
 def source_in_words(data, **options):
-    """A source, and notes on it. What is said has the words of ParaView."""
+    """Returns a source, and notes on it. What is said has the words of ParaView."""
     try:
         source = source_of(data, **options)
     except WindingError as error:
@@ -167,14 +167,14 @@ def source_in_words(data, **options):
 
 
 def _has_only_lines(source):
-    """Whether all data sets of a source are lines, of which some have no normals."""
+    """Returns whether all data sets of a source are lines, of which some have no normals."""
     return any(leaf.normals is None for leaf in source.leaves) and all(
         _datasets.is_of_lines(leaf.data) for leaf in source.leaves)
 
 
 def parts_of(filter, data, *, as_points=False, areas=None, surface_cells=False,
              normals_array=None, areas_array=None):
-    """The parts of a source that this rank has. `areas` is a value of Point Area Method."""
+    """Returns the parts of a source that this rank has. `areas` is a value of Point Area Method."""
     source, notes = source_in_words(
         data, normals_array=normals_array, surface_cells=surface_cells, as_points=as_points,
         areas_array=areas_array if areas == AREAS_OF_ARRAY else None)
@@ -188,7 +188,7 @@ def parts_of(filter, data, *, as_points=False, areas=None, surface_cells=False,
 
 
 def cloud_of(filter, leaves, areas, notes=()):
-    """The points of leaves as one cloud. Points without normals have their polygons'."""
+    """Returns the points of leaves as one cloud. Points without normals have their polygons'."""
     # All points are to be oriented together.
     lacks_normals = any(leaf.corners is None and leaf.normals is None for leaf in leaves)
     normals, found_areas = [], []
@@ -209,7 +209,7 @@ def cloud_of(filter, leaves, areas, notes=()):
 
 
 def vertices_of(filter, leaf):
-    """The normals and areas that the polygons of a leaf give its points."""
+    """Returns the normals and areas that the polygons of a leaf give its points."""
     normals, areas = np.empty((len(leaf.points), 3)), np.empty(len(leaf.points))
     points = np.ascontiguousarray(leaf.points)
     filter.call("winding_vertices", _library.array_of(points),
@@ -219,7 +219,7 @@ def vertices_of(filter, leaf):
 
 
 def gathered(parts, ranks, distribution):
-    """The parts of all ranks as one, in their order; or this rank's own, where all have copies."""
+    """Returns the parts of all ranks as one, in their order, or this rank's, if all have copies."""
     if ranks.are_alone:
         return parts
     kinds = np.concatenate(ranks.gather(np.array(
@@ -260,7 +260,7 @@ def gathered(parts, ranks, distribution):
 
 
 def hash_of(arrays):
-    """A number for arrays, or None, by which ranks find out whether they have the same."""
+    """Returns a number for arrays, or None, by which ranks find out whether they have the same."""
     found = hashlib.blake2b(digest_size=6)  # which a double holds
     for array in arrays:
         found.update(b"-" if array is None else np.ascontiguousarray(array).tobytes())
@@ -282,7 +282,7 @@ class SourceAlgorithm(Algorithm):
                                "Replicated, or run one rank")
 
     def nearest(self, data, *, transfer, numbers):
-        """What results take over from a source."""
+        """Returns what results take over from a source."""
         options = {"mirror": _options.words("mirror", self.value("Mirror")),
                    "weld_tolerance": self.value("WeldTolerance")}
         try:
@@ -349,7 +349,7 @@ class SourceAlgorithm(Algorithm):
                              winding_threshold=self.values["WindingThreshold"])
 
     def levels(self, values):
-        """How far winding numbers are inside, as the core has it."""
+        """Returns how far winding numbers are inside, as the core has it."""
         return level_of(values, self.value("InsideRule"), self.values["WindingThreshold"])
 
     def note_progress(self, elapsed, share):
@@ -357,19 +357,19 @@ class SourceAlgorithm(Algorithm):
             self.expected_seconds = self.prepare_seconds + elapsed / share
 
     def source_options(self):
-        """What parts_of() needs to know."""
+        """Returns what parts_of() needs to know."""
         return {"as_points": bool(self.value("SourceAsPoints")),
                 "areas": self.value("PointAreaMethod"), "areas_array": self.values["AreaArray"],
                 "surface_cells": bool(self.value("UseSurfaceCells")),
                 "normals_array": self.values["NormalsArray"]}
 
     def parts(self, data, ranks):
-        """The parts of a source, of all ranks."""
+        """Returns the parts of a source, of all ranks."""
         own = ranks.agree(lambda: parts_of(self, data, **self.source_options()))
         return gathered(own, ranks, self.value("SourceDistribution"))
 
     def key_of(self, data):
-        """What a field depends on, of this rank."""
+        """Returns what a field depends on, of this rank."""
         names = ("Method", "Tolerance", "SourceAsPoints", "UseSurfaceCells", "OrientFaces",
                  "IgnoreOpenParts", "Mirror", "FlatBase", "SheetSide", "WeldTolerance",
                  "PointAreaMethod", "PointArea", "NumberOfNeighbors",
@@ -406,7 +406,7 @@ class SourceAlgorithm(Algorithm):
         return True
 
     def field_of(self, parts, *, note):
-        """The field of the library for parts: a handle."""
+        """Returns the field of the library for parts: a handle."""
         if parts.are_lines:
             raise WindingError(ONLY_LINES)
         parts = welded(parts, self.value("WeldTolerance"))
@@ -439,7 +439,7 @@ class SourceAlgorithm(Algorithm):
         return handle
 
     def completion(self):
-        """The options of the library that say what the source lacks."""
+        """Returns the options of the library that say what the source lacks."""
         return {"mirror": _options.words("Mirror", self.values["Mirror"]),
                 "flat_base": _options.words("Flat Base", self.values["FlatBase"])}
 

@@ -32,7 +32,7 @@ _FIDELITY = (("LargestDistanceFromInput", "largest_from_source"),
 
 
 def polydata_of(arrays, lines=False, output=None):
-    """The points and polygons, or lines, of a mesh of the library, in an output if there is one."""
+    """Returns the points and polygons, or lines, of a mesh of the library, in `output` if given."""
     output = vtkPolyData() if output is None else output
     if arrays["points"] is None:
         return output
@@ -230,7 +230,7 @@ class WindingNumberSurface(SurfaceAlgorithm):
                 f"{found.mean_shape_error:.3g}")
 
     def _verify(self, samples):
-        """Nothing else needs all values on the grid."""
+        """Verifies values on the whole grid, which nothing else needs."""
         self.verification = None
         if self.value("VerifySamples") == 0:
             return
@@ -291,7 +291,7 @@ class WindingNumberVoxels(Algorithm):
         return 1
 
     def _find_values(self, image):
-        """The array that tells inside from outside, and whether it is of cells."""
+        """Returns the array that tells inside from outside, and whether it is of cells."""
         info = self.GetInputArrayInformation(0)
         name = info.Get(vtkDataObject.FIELD_NAME()) if info.Has(vtkDataObject.FIELD_NAME()) else ""
         association = info.Get(vtkDataObject.FIELD_ASSOCIATION())
@@ -347,7 +347,7 @@ class WindingNumberVoxels(Algorithm):
         self._add_data(image, of_cells, arrays, are_labels, counts, places, corners, output)
 
     def _sides(self, values):
-        """1 for each value that is inside, and 0 for any other."""
+        """Returns 1 for each value that is inside, and 0 for any other."""
         rule, threshold = self.value("InsideRule"), self.values["WindingThreshold"]
         numbers = values.astype(float, copy=False)
         with np.errstate(invalid="ignore"):
@@ -404,12 +404,12 @@ class WindingNumberVoxels(Algorithm):
 
 
 def _percent_of(share):
-    """A share as the core prints it."""
+    """Returns a share as the core prints it."""
     return f"{100 * share:.2g} %" if share < 0.095 else f"{100 * share:.0f} %"
 
 
 def _voxels_of(places, corners, counts, image, of_cells):
-    """The voxel behind each quad: half a voxel from its middle, against its normal."""
+    """Returns the voxel behind each quad: half a voxel from its middle, against its normal."""
     at = places[corners]
     normals = np.cross(at[:, 1] - at[:, 0], at[:, 3] - at[:, 0])
     matrix = image.GetIndexToPhysicalMatrix()
