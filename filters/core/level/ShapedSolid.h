@@ -42,7 +42,7 @@ bool isSheet(const FieldInfo& info, const SolidShape& shape);
 class ShapedSolid
 {
 public:
-  /// Makes the shape of the solid of a field, of which `tolerance` is. `solid` and `roots` are its
+  /// Makes the shape of the solid of a field that has this `tolerance`. `solid` and `roots` are its
   /// edges, which are done, and their roots; with `isSharp` they have normals of all triangles.
   /// Keeps references to `grid`, `solid` and `roots`. Throws Interrupted.
   ShapedSolid(const Field& field, const Grid& grid, InsideRule rule, double threshold,
