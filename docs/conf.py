@@ -16,8 +16,8 @@ from unittest import mock
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 REFERENCES = ("module", "library", "core")
 ORDER = {
-    "Use": ["docs/guide", "docs/paraview", "docs/python", "docs/library", "data/GALLERY",
-            "data/examples/README", "docs/tools", "docs/limits"],
+    "Use": ["docs/guide", "docs/paraview", "docs/python", "docs/library", "docs/options",
+            "data/GALLERY", "data/examples/README", "docs/tools", "docs/limits"],
     "Understand": ["docs/methods", "docs/clouds", "docs/performance", "docs/scale",
                    "docs/reliability", "SECURITY", "docs/notation"],
     "Reference": ["docs/python_reference", "docs/reference", "CHANGELOG"],

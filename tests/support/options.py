@@ -17,6 +17,7 @@ class Option:
         self.property, self.default, self.help = fields[0], fields[1], fields[-1]
         self.label, self.option, self.keyword = fields[-4], fields[-3], fields[-2]
         self.highest = float(re.search(r'", *[^",]+, *([^",]+),\s*"', text)[1])
+        self.unit = fields[2]
         self.choices = {}
 
 
