@@ -289,7 +289,11 @@ void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes(vtkInformation* outIn
     return;
   }
   this->HashBounds(times.hash);
-  if (!this->BoundsOfTimes.empty() && this->SourceOfTimes == times.hash.value())
+  const auto areKept = [&]
+  {
+    return !this->BoundsOfTimes.empty() && this->SourceOfTimes == times.hash.value();
+  };
+  if (this->GetRanks().allOf(areKept))
   {
     return;
   }

@@ -145,6 +145,7 @@ protected:
   void operator=(const vtkWindingNumberGridAlgorithm&) = delete;
 
   bool EvaluatesGrid() const override { return true; }
+  bool InformationNeedsSource() const override { return this->BoundsOverAllTimes != 0; }
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;

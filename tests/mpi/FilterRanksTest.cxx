@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpi/OnRanks.h"
+#include "vtk/MovingSphere.h"
 
+#include "vtkAlgorithmOutput.h"
+#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -14,6 +17,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkSurfaceReport.h"
 #include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberHyperTree.h"
@@ -21,6 +25,9 @@
 #include "vtkWindingNumberSurface.h"
 
 #include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
 
 /**
  * @file
@@ -109,6 +116,48 @@ TEST(SurfaceOnRanks, IsThatOfOneRankOnTheFirst)
       expectSame(found->GetOutput()->GetPolys()->GetConnectivityArray(),
         expected->GetOutput()->GetPolys()->GetConnectivityArray());
     }
+  }
+}
+
+template <class Filter> class GridOnRanks : public testing::Test
+{
+};
+
+using GridFilters = testing::Types<vtkWindingNumberSurface, vtkWindingNumberHyperTree>;
+TYPED_TEST_SUITE(GridOnRanks, GridFilters);
+
+/// Parts that move apart: each rank knows the times of its own.
+TYPED_TEST(GridOnRanks, LiesOverAllTimesOfAllParts)
+{
+  const auto boundsOf = [](vtkAlgorithmOutput* source, bool isAlone)
+  {
+    vtkNew<TypeParam> filter;
+    filter->SetInputConnection(source);
+    filter->SetResolution(20);
+    filter->BoundsOverAllTimesOn();
+    if (isAlone)
+    {
+      filter->SetController(nullptr);
+    }
+    filter->UpdateTimeStep(2, rank(), ranks());
+    std::array<double, 6> bounds;
+    filter->GetOutput()->GetBounds(bounds.data());
+    return bounds;
+  };
+  vtkNew<vtkAppendPolyData> all;
+  std::vector<vtkSmartPointer<MovingSphere>> parts;
+  for (int of = 0; of < ranks(); ++of)
+  {
+    parts.push_back(vtkSmartPointer<MovingSphere>::New());
+    parts.back()->SetStep(2.0 * of);
+    all->AddInputConnection(parts.back()->GetOutputPort());
+  }
+  const auto found = boundsOf(parts[static_cast<std::size_t>(rank())]->GetOutputPort(), false);
+  const auto expected = boundsOf(all->GetOutputPort(), true);
+  if (rank() == 0)
+  {
+    EXPECT_GT(expected[1], 4 * (ranks() - 1));
+    EXPECT_EQ(found, expected);
   }
 }
 

@@ -54,6 +54,7 @@ protected:
     info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times_.data(),
       static_cast<int>(times_.size()));
     info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+    info->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1); // whoever asks gets all of it
     return 1;
   }
 
