@@ -313,6 +313,10 @@ TEST(ImageQueries, DamagedHeadersAreRefusedInOneLine)
   refuses("a.mha", with(meta, "DimSize", "Size"), "no 'DimSize'");
   refuses("a.mha", with(meta, "DimSize = 7", "DimSize = 0"), "no number of voxels");
   refuses("a.mha", with(meta, "DimSize = 7", "DimSize = 1e99"), "no number of voxels");
+  const std::string tooMany = "more voxels than there can be";
+  refuses("a.mha", with(meta, "DimSize = 7", "DimSize = 100000001"), tooMany);
+  refuses("a.mha", with(meta, "DimSize = 7 8 9", "DimSize = 100001 100001 100001"), tooMany);
+  refuses("a.nrrd", with(nrrd, "sizes: 7 8 9", "sizes: 7 2147483647 9"), tooMany);
   refuses("a.mha", with(meta, "DimSize = 7", "DimSize ="), "has 2 numbers in 'DimSize', not 3");
   refuses("a.mha", with(meta, "0.25", "x"), "no number in 'ElementSpacing'");
   refuses("a.mha", with(meta, "0.25", "0"), "no size along an axis");

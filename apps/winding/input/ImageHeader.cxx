@@ -78,7 +78,7 @@ void addThirdAxis(ImagePlace& place)
 vtkSmartPointer<vtkImageData> imageAt(const ImagePlace& place)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  double samples = 1, spacings[3], directions[9];
+  double samples = 1, longest = 0, spacings[3], directions[9];
   for (int axis = 0; axis < 3; ++axis)
   {
     const std::array<double, 3>& step = place.steps[static_cast<std::size_t>(axis)];
@@ -92,10 +92,12 @@ vtkSmartPointer<vtkImageData> imageAt(const ImagePlace& place)
     {
       directions[3 * row + axis] = step[static_cast<std::size_t>(row)] / spacing;
     }
-    samples *= place.dimensions[static_cast<std::size_t>(axis)];
+    const double length = place.dimensions[static_cast<std::size_t>(axis)];
+    longest = std::max(longest, length);
+    samples *= length;
   }
-  constexpr double most = 1e15;
-  if (samples > most)
+  constexpr double most = 1e15, mostAlongAxis = 1e8; // VTK 9.6 stores the coordinates of each axis
+  if (samples > most || longest > mostAlongAxis)
   {
     throw HeaderFault("its header counts more voxels than there can be");
   }
