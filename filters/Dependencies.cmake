@@ -20,11 +20,12 @@ FetchContent_Declare(hwy
   FIND_PACKAGE_ARGS)
 set(EIGEN_BUILD_DOC OFF CACHE BOOL "" FORCE)
 set(EIGEN_BUILD_TESTING OFF CACHE BOOL "" FORCE)
+# Of any version, for Eigen 5 refuses a request for 3.4; core/CMakeLists.txt refuses older ones.
 FetchContent_Declare(Eigen3
   GIT_REPOSITORY https://gitlab.com/libeigen/eigen.git
   GIT_TAG 3.4.0
   EXCLUDE_FROM_ALL SYSTEM
-  FIND_PACKAGE_ARGS 3.4 NO_MODULE)
+  FIND_PACKAGE_ARGS NO_MODULE)
 set(NANOFLANN_BUILD_EXAMPLES OFF CACHE BOOL "" FORCE)
 set(NANOFLANN_BUILD_TESTS OFF CACHE BOOL "" FORCE)
 FetchContent_Declare(nanoflann

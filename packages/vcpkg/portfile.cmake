@@ -3,8 +3,7 @@
 
 # A port for vcpkg: libwinding, and with the feature vtk filters and program. It was not run; CMake
 # has read it with vcpkg's functions replaced (tests/packages/recipes_test.py). The address is a
-# placeholder, and ./dev release writes a copy with the hash of the archive that it makes. Eigen 5
-# was not tried, which vcpkg may have by now: filters/Dependencies.cmake asks for 3.4.
+# placeholder, and ./dev release writes a copy with the hash of the archive that it makes.
 vcpkg_check_linkage(ONLY_DYNAMIC_LIBRARY) # libwinding is a shared library
 vcpkg_download_distfile(ARCHIVE
   URLS "https://archive.invalid/winding-${VERSION}.tar.gz"
@@ -19,9 +18,12 @@ vcpkg_cmake_configure(
   OPTIONS ${options} -DWINDING_TESTS=OFF)
 vcpkg_cmake_install()
 vcpkg_copy_pdbs()
+if("vtk" IN_LIST FEATURES)
+  vcpkg_cmake_config_fixup(PACKAGE_NAME vtkWinding CONFIG_PATH lib/cmake/vtkWinding
+    DO_NOT_DELETE_PARENT_CONFIG_PATH)
+endif()
 vcpkg_cmake_config_fixup(PACKAGE_NAME Winding CONFIG_PATH lib/cmake/Winding)
 if("vtk" IN_LIST FEATURES)
-  vcpkg_cmake_config_fixup(PACKAGE_NAME vtkWinding CONFIG_PATH lib/cmake/vtkWinding)
   vcpkg_copy_tools(TOOL_NAMES winding AUTO_CLEAN)
 endif()
 vcpkg_fixup_pkgconfig()

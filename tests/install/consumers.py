@@ -14,12 +14,19 @@ sys.path.insert(0, str(ROOT / "tests" / "support"))
 
 def arguments():
     parser = argparse.ArgumentParser()
-    for name in ("cmake", "generator", "config", "prefix", "folder"):
+    for name in ("cmake", "generator", "config", "prefix", "vtk", "folder"):
         parser.add_argument("--" + name, required=True)
     parser.add_argument("--flags", default="", help="of the compiler, such as for sanitizers")
     found = parser.parse_args()
     found.folder, found.prefix = pathlib.Path(found.folder), pathlib.Path(found.prefix)
     return found
+
+
+def version():
+    """Returns the version of the project."""
+    line = next(line for line in (ROOT / "CMakeLists.txt").read_text().splitlines()
+                if line.startswith("project(vtkWinding VERSION "))
+    return line.split()[2]
 
 
 def run(*command, folder=None):
@@ -37,7 +44,8 @@ def build(settings, source, target, *options):
     """Configures and builds a project against nothing but the installed package."""
     run(settings.cmake, "-S", source, "-B", target, "-G", settings.generator,
         f"-DCMAKE_BUILD_TYPE={settings.config}", f"-DCMAKE_PREFIX_PATH={settings.prefix}",
-        f"-DCMAKE_C_FLAGS={settings.flags}", f"-DCMAKE_CXX_FLAGS={settings.flags}", *options)
+        f"-DVTK_DIR={settings.vtk}", f"-DCMAKE_C_FLAGS={settings.flags}",
+        f"-DCMAKE_CXX_FLAGS={settings.flags}", *options)
     run(settings.cmake, "--build", target)
 
 

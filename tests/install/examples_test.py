@@ -9,10 +9,29 @@ import shlex
 import shutil
 import subprocess
 
-from consumers import ROOT, arguments, build, emptied, require_files, run
+from consumers import ROOT, arguments, build, emptied, require_files, run, version
 
 import inputs
 from pages import Page
+
+
+def check_package_of_c(settings):
+    """Later versions serve programs of 1.0, and unknown components are refused."""
+    package = next(settings.prefix.rglob("WindingConfigVersion.cmake")).parent
+    script = emptied(settings.folder / "package") / "check.cmake"
+    later = (package / "WindingConfigVersion.cmake").read_text().replace(version(), "1.7.0")
+    script.write_text(f"""\
+set(PACKAGE_FIND_VERSION 1.0)
+set(PACKAGE_FIND_VERSION_MAJOR 1)
+{later}
+set(Winding_FIND_COMPONENTS Nonsense)
+set(Winding_FIND_REQUIRED_Nonsense TRUE)
+include("{package}/WindingConfig.cmake")
+if(NOT PACKAGE_VERSION_COMPATIBLE OR Winding_FOUND OR NOT Winding_NOT_FOUND_MESSAGE MATCHES ": Nonsense")
+  message(FATAL_ERROR "'${{PACKAGE_VERSION_COMPATIBLE}}', '${{Winding_NOT_FOUND_MESSAGE}}'")
+endif()
+""")
+    run(settings.cmake, "-P", script)
 
 
 def build_in_c(settings, files):
@@ -54,6 +73,7 @@ def main():
                 require_files(files, [output])
                 programs.discard(name)
     build_in_c(settings, files)
+    check_package_of_c(settings)
     if programs:
         raise SystemExit(f"no command in {examples / 'README.md'} runs {', '.join(sorted(programs))}")
 

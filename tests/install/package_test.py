@@ -5,7 +5,7 @@
 import os
 import subprocess
 
-from consumers import ROOT, arguments, build, emptied, run
+from consumers import arguments, build, emptied, run, version
 
 PROJECT = """\
 cmake_minimum_required(VERSION 3.25)
@@ -40,12 +40,6 @@ set(VTK_FOUND TRUE)
 """
 
 
-def version():
-    line = next(line for line in (ROOT / "CMakeLists.txt").read_text().splitlines()
-                if line.startswith("project(vtkWinding VERSION "))
-    return line.split()[2]
-
-
 def project(folder, components=""):
     emptied(folder)
     (folder / "CMakeLists.txt").write_text(PROJECT.replace("@COMPONENTS@", components))
@@ -60,7 +54,8 @@ def refusal(settings, source, *options):
     """What CMake says when it cannot configure a project."""
     done = subprocess.run(
         [settings.cmake, "-S", source, "-B", emptied(source / "build"), "-G", settings.generator,
-         f"-DCMAKE_PREFIX_PATH={settings.prefix}", *options], capture_output=True, text=True)
+         f"-DCMAKE_PREFIX_PATH={settings.prefix}", f"-DVTK_DIR={settings.vtk}", *options],
+        capture_output=True, text=True)
     if done.returncode == 0:
         raise SystemExit(f"{source}: it was configured\n{done.stdout}")
     return " ".join(done.stderr.split())
@@ -91,9 +86,10 @@ def main():
     flags = subprocess.run(
         ["pkg-config", "--cflags", "--libs", "vtkWinding"], check=True, capture_output=True, text=True,
         env={**os.environ, "PKG_CONFIG_PATH": str(next(settings.prefix.rglob("vtkWinding.pc")).parent)})
-    library = next(settings.prefix.rglob("libvtkFiltersWinding.so")).parent
-    run("c++", *settings.flags.split(), "-std=c++17", "main.cxx", "-o", "program",
-        *flags.stdout.split(), f"-Wl,-rpath,{library}", folder=found)
+    words = flags.stdout.split()
+    folders = [f"-Wl,-rpath,{word[2:]}" for word in words if word.startswith("-L")]
+    run("c++", *settings.flags.split(), "-std=c++17", "main.cxx", "-o", "program", *words, *folders,
+        folder=found)
     run(found / "program")
 
     if not list(settings.prefix.rglob("LICENSE")):

@@ -39,8 +39,26 @@ function(vcpkg_check_features)
   endif()
   set(${arg_OUT_FEATURE_OPTIONS} "-D${name}=${value}" PARENT_SCOPE)
 endfunction()
-foreach(name check_linkage extract_source_archive cmake_configure cmake_install copy_pdbs cmake_config_fixup
-    copy_tools fixup_pkgconfig install_copyright)
+function(vcpkg_cmake_install)
+  file(MAKE_DIRECTORY "${CURRENT_PACKAGES_DIR}/lib/cmake/Winding")
+  if("vtk" IN_LIST FEATURES)
+    file(MAKE_DIRECTORY "${CURRENT_PACKAGES_DIR}/lib/cmake/vtkWinding")
+  endif()
+endfunction()
+function(vcpkg_cmake_config_fixup) # it takes the folder away, and its parent unless told otherwise
+  cmake_parse_arguments(PARSE_ARGV 0 arg "DO_NOT_DELETE_PARENT_CONFIG_PATH" "PACKAGE_NAME;CONFIG_PATH" "")
+  set(folder "${CURRENT_PACKAGES_DIR}/${arg_CONFIG_PATH}")
+  if(NOT IS_DIRECTORY "${folder}")
+    message(FATAL_ERROR "'${folder}' does not exist")
+  endif()
+  message("package ${arg_PACKAGE_NAME}")
+  if(NOT arg_DO_NOT_DELETE_PARENT_CONFIG_PATH)
+    get_filename_component(folder "${folder}" DIRECTORY)
+  endif()
+  file(REMOVE_RECURSE "${folder}")
+endfunction()
+foreach(name check_linkage extract_source_archive cmake_configure copy_pdbs copy_tools fixup_pkgconfig
+    install_copyright)
   cmake_language(EVAL CODE
     "function(vcpkg_${name})\\n  message(\\"${name} \\${ARGN}\\")\\nendfunction()")
 endforeach()
@@ -105,14 +123,17 @@ class TestVcpkg(unittest.TestCase):
         self.assertEqual(manifest["version"], version())
 
     def test_port_runs(self):
-        for features, expected in (("core", "-DWINDING_LIBRARY_ONLY=ON"),
-                                   ("core;vtk", "-DWINDING_LIBRARY_ONLY=OFF")):
+        for features, expected, packages in (
+                ("core", "-DWINDING_LIBRARY_ONLY=ON", ["Winding"]),
+                ("core;vtk", "-DWINDING_LIBRARY_ONLY=OFF", ["vtkWinding", "Winding"])):
             with tempfile.TemporaryDirectory() as folder:
                 script = pathlib.Path(folder, "port.cmake")
                 script.write_text(f'{VCPKG}\nset(CURRENT_PACKAGES_DIR "{folder}")\n'
                                   f'set(FEATURES "{features}")\n'
                                   f"include({RECIPES}/vcpkg/portfile.cmake)\n")
-                self.assertIn(expected, output_of("cmake", "-P", script))
+                said = output_of("cmake", "-P", script)
+                self.assertIn(expected, said)
+                self.assertEqual(re.findall(r"^package (\w+)$", said, re.MULTILINE), packages)
 
 
 class TestSpack(unittest.TestCase):
