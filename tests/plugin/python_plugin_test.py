@@ -3,10 +3,12 @@
 """The plugin in Python makes what the plugin in C++ makes, to the bit, and each opens states of the
 other. The zip is unpacked into a folder of its own, as users do it, and ParaView's own interpreter
 runs it."""
+import ast
 import concurrent.futures
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -41,15 +43,16 @@ class PythonPlugin(unittest.TestCase):
         cls.python = str(cls.folder / "WindingNumbers" / "WindingNumbers.py")
         cls.cxx = os.environ["WINDING_PLUGIN"]
 
-    def run_script(self, plugin, script, *arguments, before=(), fails=False):
+    def run_script(self, plugin, script, *arguments, before=(), options=(), fails=False):
         environment = dict(os.environ, WINDING_PLUGIN=plugin, OMPI_ALLOW_RUN_AS_ROOT="1",
                            OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
         environment["PYTHONPATH"] = os.pathsep.join(
             [str(self.folder / "shim"), environment.get("PYTHONPATH", "")])
         program = os.environ["WINDING_PVBATCH" if before else "WINDING_PVPYTHON"]
         done = subprocess.run(
-            [*before, program, str(script), *map(str, arguments)], env=environment, text=True,
-            check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=limit)
+            [*before, program, *options, str(script), *map(str, arguments)], env=environment,
+            text=True, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            timeout=limit)
         if not fails:
             self.assertEqual(done.returncode, 0, done.stdout[-4000:])
         return done.stdout
@@ -224,11 +227,14 @@ for name in ("field", "voxels", "surface", "probe"):
         self.assertEqual(len(facts[0]), 4)
         self.assertEqual(facts, [facts[0]] * 4)
 
-    def test_two_ranks_share_a_source(self):
+    def on_two_ranks(self):
         mpirun = os.environ.get("WINDING_MPIRUN")
         if not mpirun:
             self.skipTest("there is no mpirun")
-        before = [mpirun, "--oversubscribe", "-np", "2"]
+        return [mpirun, "--oversubscribe", "-np", "2"]
+
+    def test_two_ranks_share_a_source(self):
+        before = self.on_two_ranks()
         script = f"""
 mesh = simple.SurfaceMeshReader(FileName={data!r} + "/teapot.obj")
 field = simple.WindingNumberField(Input=mesh, Resolution=24)
@@ -247,6 +253,74 @@ for name, proxy in (("field", field), ("surface", surface), ("areas", areas)):
             facts.append([line for line in out.splitlines() if line.startswith("fact")])
         self.assertEqual(facts[1], facts[0])
         self.assertRegex(facts[1][2], r"fact surface .* [1-9]\d{2,}$")
+
+    def test_what_one_rank_refuses_both_refuse(self):
+        """The other one would wait for ever."""
+        script = """
+cloud = simple.ProgrammableSource(OutputDataSetType="vtkPolyData", Script='''
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+if vtkMultiProcessController.GetGlobalController().GetLocalProcessId() == 0:
+    sphere = vtkSphereSource()
+    sphere.Update()
+    self.GetOutput().SetPoints(sphere.GetOutput().GetPoints())
+    self.GetOutput().GetPointData().SetNormals(sphere.GetOutput().GetPointData().GetNormals())
+''')
+simple.WindingNumberLabels(Input=cloud, Resolution=8).UpdatePipeline()
+rank = servermanager.vtkProcessModule.GetProcessModule().GetPartitionId()
+simple.WindingNumberField(Input=simple.Sphere(), Resolution=8 + rank).UpdatePipeline()
+"""
+        texts = ("nothing tells which belong together (rank 0 of 2)",
+                 "set the same properties on all ranks: they differ, and so would the results")
+        for plugin in (self.cxx, self.python):
+            out = self.run_text(plugin, script, before=self.on_two_ranks(), options=["--sym"])
+            self.assertEqual([out.count(text) for text in texts], [2, 2], out)
+
+    def test_ranks_agree_on_how_work_ends(self):
+        """Wherever one rank fails, and whatever the other one does meanwhile."""
+        out = self.run_text(self.python, """
+import numpy as np
+from vtkwinding._errors import WindingError, WindingInterrupted, WindingMemoryError
+from winding_paraview.ranks import Ranks
+ranks = Ranks()
+
+def end(error, on_rank, *, before, within):
+    try:
+        with ranks.agreeing():
+            if ranks.rank != on_rank or not before:
+                ranks.gather(np.arange(ranks.rank))
+            if within:
+                with ranks.agreeing():
+                    if ranks.rank == on_rank:
+                        raise error
+            if ranks.rank == on_rank:
+                raise error
+            if before:
+                ranks.gather(np.arange(1000))
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"
+    return "done"
+
+ends = [end(error, on_rank, before=before, within=within)
+        for error in (WindingError("no"), WindingMemoryError("full"), WindingInterrupted(""),
+                      MemoryError(), KeyError("this"))
+        for on_rank in (0, 1, 2) for before in (False, True) for within in (False, True)]
+ends.append([part.tolist() for part in ranks.gather(np.arange(ranks.rank + 1))])
+print(f"fact {ends}\\n", end="", flush=True)
+""", before=self.on_two_ranks(), options=["--sym"])
+        facts = [line for line in out.splitlines() if line.startswith("fact ")]
+        self.assertEqual(facts, facts[:1] * 2, out)
+        ends = ast.literal_eval(facts[0][len("fact "):])
+        self.assertEqual(ends.pop(), [[0], [0, 1]])
+        names = ["WindingError: no", "WindingMemoryError: full", "WindingInterrupted: ",
+                 "WindingMemoryError: not enough memory",
+                 "WindingError: unexpected, please report it: KeyError('this') at line"]
+        for name, found in zip(names, [ends[first:first + 12] for first in range(0, 60, 12)]):
+            for number, text in enumerate(found):
+                with self.subTest(name, number=number):
+                    rank = number // 4
+                    self.assertRegex(text, "^done$" if rank == 2 else
+                                     rf"^{re.escape(name)}.*\(rank {rank} of 2\)$")
 
     def test_what_is_missing_is_said(self):
         broken = self.folder / "broken"

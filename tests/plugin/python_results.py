@@ -390,6 +390,10 @@ for name, attributes, width, first in (
             array.SetComponent(row, column, first + (3 * row > array.GetNumberOfTuples()))
     attributes.AddArray(array)
 """
+    lines = simple.ProgrammableFilter(Input=simple.Line(), Script=NAMES)
+    for array in ("Text", "ObjectIds"):
+        note(f"regions of lines, {array}", simple.WindingNumberLabels(
+            Input=lines, Resolution=12, RegionArray=array))
     made = simple.ProgrammableFilter(Input=merged, Script=script)
     for array in ("OfPoints", "Wide", "Half", "Below", "Above", "Missing"):
         note(f"regions {array}", simple.WindingNumberLabels(

@@ -9,7 +9,6 @@ import math
 import pathlib
 import re
 import time
-import traceback
 
 import numpy as np
 from vtkmodules.util.numpy_support import create_vtk_array, get_vtk_array_type, vtk_to_numpy
@@ -22,6 +21,7 @@ from vtkwinding import _library
 from vtkwinding._errors import WindingError, WindingInterrupted, WindingMemoryError
 
 from . import declarations
+from .ranks import words_of_unexpected
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent
 DECLARED = declarations.properties_of(FOLDER / "xml")
@@ -29,6 +29,7 @@ DONE, REFUSED, OUT_OF_MEMORY, ABORTED, NOT_RUN = range(5)
 METHODS = ("automatic", "rows", "hierarchical", "direct", "parity")
 ESTIMATIONS = ("automatic", "spanning tree", "winding consistent", "viewpoint")
 RUN = _library.RUN
+_OF_EACH_RANK = ("NumberOfThreads", "LongestExpectedTime", "VerifySamples")
 
 
 def declared(kind):
@@ -176,12 +177,15 @@ class Algorithm(VTKPythonAlgorithmBase):
             self.value(name)
 
     @contextlib.contextmanager
-    def reporting(self, *outputs):
+    def reporting(self, *outputs, ranks=None):
         """Reports what is raised as one line, and keeps how the work ended as the status. Where it
-        fails, the outputs become empty."""
+        fails, the outputs become empty. What fails on one of `ranks` fails on all of them."""
         self.status = DONE
         try:
-            yield
+            with ranks.agreeing() if ranks else contextlib.nullcontext():
+                if ranks:
+                    self._require_same_properties(ranks)
+                yield
             self._told = None
         except WindingInterrupted:
             self.status = ABORTED
@@ -196,12 +200,18 @@ class Algorithm(VTKPythonAlgorithmBase):
             self._refuse(str(error))
         except Exception as error:
             self.status = REFUSED
-            place = traceback.extract_tb(error.__traceback__)[-1]
-            self._refuse(f"unexpected, please report it: {error!r} at line {place.lineno} of "
-                         f"{pathlib.Path(place.filename).name}")
+            self._refuse(words_of_unexpected(error))
         if self.status != DONE:
             for output in outputs:
                 output.Initialize()
+
+    def _require_same_properties(self, ranks):
+        """Refuses properties that differ among ranks, as scripts on each rank may set them."""
+        own = repr(sorted((name, value) for name, value in self.values.items()
+                          if name not in _OF_EACH_RANK))
+        if len(set(ranks.texts([own]))) > 1:
+            raise WindingError(
+                "set the same properties on all ranks: they differ, and so would the results")
 
     def _refuse(self, text):
         """Reports an error, once for each change of the pipeline."""

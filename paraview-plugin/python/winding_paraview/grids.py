@@ -122,9 +122,8 @@ class GridAlgorithm(SourceAlgorithm):
         """Returns the box of the source on all ranks, or None."""
         key = self.key_of(data)
         if not ranks.same(int(key == self._bounds[0])) or key != self._bounds[0]:
-            own = ranks.agree(lambda: welded(
-                parts_of(self, data, **self.source_options()),
-                self.value("WeldTolerance")).bounds())
+            own = welded(parts_of(self, data, **self.source_options()),
+                         self.value("WeldTolerance")).bounds()
             every = np.stack(ranks.gather(np.array([np.nan] * 6 if own is None else own)))
             every = every[~np.isnan(every).any(axis=1)]
             found = None
@@ -195,7 +194,8 @@ class GridAlgorithm(SourceAlgorithm):
             self._bounds_of_times = (None, None)
             return
         key = (key, self.bounds_key())
-        if self._bounds_of_times[0] == key:
+        are_kept = self._bounds_of_times[0] == key
+        if ranks.same(int(are_kept)) and are_kept:
             return
         boxes = [self.bounds_of_source(self.source(), ranks)
                  for _ in self.for_each_time(out_info)]
@@ -313,7 +313,7 @@ class ImageAlgorithm(GridAlgorithm):
         """Fills an image with the samples of an extent."""
         raise NotImplementedError
 
-    def check_source(self, data, ranks):
+    def check_source(self, data):
         """Refuses a source that no grid is to be laid over."""
 
     def check_union(self):
@@ -409,7 +409,7 @@ class ImageAlgorithm(GridAlgorithm):
             self.update_source(out_info)
         data = self.source()
         self.source_kind = kind_of(data)
-        self.check_source(data, ranks)
+        self.check_source(data)
         self.lay_out_grid(data, ranks)
 
     def key_of(self, data):
@@ -422,10 +422,10 @@ class ImageAlgorithm(GridAlgorithm):
         out_info.Remove(vtkDataObject.SPACING())
         out_info.Remove(vtkDataObject.DIRECTION())
         out_info.Set(Pipeline.WHOLE_EXTENT(), [0, -1, 0, -1, 0, -1], 6)
-        with self.reporting():
+        ranks = Ranks()
+        with self.reporting(ranks=ranks):
             self.source_kind = kind_of(self.source())
             self.check()
-            ranks = Ranks()
             self._look_at_like(inputs)
             as_cells = self.values["OutputAssociation"] == 1
             if self.like is not None:
@@ -468,14 +468,14 @@ class ImageAlgorithm(GridAlgorithm):
         if self.information_status != DONE:
             self.status = self.information_status
             return 1
-        with self.reporting(output):
+        ranks = Ranks()
+        with self.reporting(output, ranks=ranks):
             self.check()
-            ranks = Ranks()
             data = self.source()
             self.source_kind = kind_of(data)
             if self.like is not None:
                 self._check_like(vtkImageData.GetData(inputs[1]))
-                self.check_source(data, ranks)
+                self.check_source(data)
                 grid = self.grid
             else:
                 grid = self.moved_grid(data, ranks)

@@ -55,19 +55,18 @@ class PointAreas(Algorithm):
         output = vtkDataObject.GetData(outputs)
         self.total_area = self.clear_share = 0.0
         self.estimation = ""
-        with self.reporting(output):
+        ranks = Ranks()
+        with self.reporting(output, ranks=ranks):
             self.check()
             _copy(vtkDataObject.GetData(inputs[0]), output)
-            self._add(output)
+            self._add(output, ranks)
         return 1
 
-    def _add(self, data):
-        ranks = Ranks()
+    def _add(self, data, ranks):
         sets = [leaf for _, leaf in _datasets.leaves_of(data) if isinstance(leaf, vtkPointSet)]
         method = self.value("PointAreaMethod")
-        found = ranks.agree(lambda: [_leaf_of(one, self.values["NormalsArray"]) for one in sets])
-        own = ranks.agree(
-            lambda: cloud_of(self, [leaf for leaf, _ in found if leaf is not None], method))
+        found = [_leaf_of(one, self.values["NormalsArray"]) for one in sets]
+        own = cloud_of(self, [leaf for leaf, _ in found if leaf is not None], method)
         all_parts = gathered(own, ranks, self.value("SourceDistribution"))
         first = 0
         if all_parts is not own:

@@ -84,11 +84,11 @@ class ProbeAlgorithm(SourceAlgorithm):
 
     def RequestData(self, request, inputs, outputs):
         output = vtkDataObject.GetData(outputs)
-        with self.reporting(output):
+        ranks = Ranks()
+        with self.reporting(output, ranks=ranks):
             if self.GetNumberOfInputConnections(1) == 0:
                 raise WindingError("there is no source of winding numbers: give one (Source)")
             self.check()
-            ranks = Ranks()
             source = vtkDataObject.GetData(inputs[1])
             self.source_kind = kind_of(source)
             if "GenerateNearestCells" in self.values:

@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The ranks of a parallel server, which share what they have of a source."""
 
+import contextlib
+import pathlib
+import traceback
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
@@ -10,6 +14,21 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from vtkwinding._errors import WindingError, WindingInterrupted, WindingMemoryError
 
 _KINDS = (None, WindingError, WindingMemoryError, WindingInterrupted)
+
+
+def words_of_unexpected(error):
+    """Returns a line about an error that nothing is known of."""
+    place = traceback.extract_tb(error.__traceback__)[-1]
+    return (f"unexpected, please report it: {error!r} at line {place.lineno} of "
+            f"{pathlib.Path(place.filename).name}")
+
+
+def _kind_and_text(error):
+    if isinstance(error, MemoryError):
+        return _KINDS.index(WindingMemoryError), "not enough memory"
+    if isinstance(error, WindingError):
+        return _KINDS.index(type(error)), str(error)
+    return _KINDS.index(WindingError), words_of_unexpected(error)
 
 
 class Ranks:
@@ -31,39 +50,51 @@ class Ranks:
         own = np.ascontiguousarray(array)
         if self.are_alone:
             return [own]
-        lengths = self._gathered(np.array([own.size], float), self.count)
-        everything = self._gathered(own.ravel().astype(float), int(lengths.sum()))
-        ends = np.cumsum(lengths).astype(int)
+        lengths = self._exchange(own.size)
+        with self.agreeing():
+            numbers = own.ravel().astype(float)
+            np.empty(lengths.sum())  # VTK would end the process
+        everything = self._gathered(numbers, lengths.sum())
         return [part.astype(own.dtype).reshape(-1, *own.shape[1:])
-                for part in np.split(everything, ends[:-1])]
+                for part in np.split(everything, np.cumsum(lengths)[:-1])]
 
     def _gathered(self, own, total):
         found = vtkDoubleArray()
-        found.SetNumberOfTuples(total)
+        found.SetNumberOfTuples(int(total))
         self._controller.AllGatherV(numpy_to_vtk(own), found)
         return vtk_to_numpy(found).copy() if total else np.empty(0)
 
-    def agree(self, work):
-        """Does work, and fails on all ranks where it fails on one. Returns what it returns."""
+    def _exchange(self, own, text=""):
+        """Returns the lengths that ranks have. A rank that fails gives a kind of error less than 0,
+        and a text, and all ranks raise the error of the first of these."""
+        lengths = self._gathered(np.array([own], float), self.count).astype(int)
+        if (lengths >= 0).all():
+            return lengths
+        letters = np.frombuffer(text.encode(), np.uint8).astype(float)
+        sizes = self._gathered(np.array([len(letters)], float), self.count).astype(int)
+        texts = np.split(self._gathered(letters, sizes.sum()).astype(np.uint8),
+                         np.cumsum(sizes)[:-1])
+        first = int(np.flatnonzero(lengths < 0)[0])
+        error = _KINDS[-lengths[first]](f"{texts[first].tobytes().decode(errors='replace')} "
+                                        f"(rank {first} of {self.count})")
+        error.is_of_all_ranks = True
+        raise error
+
+    @contextlib.contextmanager
+    def agreeing(self):
+        """Fails on all ranks where the work within fails on one. There the others may wait for this
+        rank within as well as at the end."""
         if self.are_alone:
-            return work()
-        result, kind, text = None, 0, ""
+            yield
+            return
+        kind, text = 0, ""
         try:
-            result = work()
-        except WindingError as error:
-            kind, text = max(_KINDS.index(type(error)), 1), str(error)
-        except MemoryError:
-            kind, text = 2, "not enough memory"
-        except Exception as error:  # the other ranks wait
-            kind, text = 1, f"unexpected: {error!r}"
-        kinds = np.concatenate(self.gather(np.array([kind])))
-        texts = self.gather(np.frombuffer(text.encode(), np.uint8))
-        if kinds.any():
-            first = int(np.flatnonzero(kinds)[0])
-            raise _KINDS[kinds[first]](
-                f"{texts[first].tobytes().decode(errors='replace')} "
-                f"(rank {first} of {self.count})")
-        return result
+            yield
+        except Exception as error:
+            if getattr(error, "is_of_all_ranks", False):
+                raise
+            kind, text = _kind_and_text(error)
+        self._exchange(-kind, text)
 
     def texts(self, own):
         """Returns the texts of all ranks, rank by rank."""

@@ -98,7 +98,7 @@ class SurfaceReport(Algorithm):
         self.advice, self.fractional_share = "", 0.0
         if ranks.are_alone and piece:
             return 1
-        with self.reporting(output):
+        with self.reporting(output, ranks=ranks):
             self.check()
             if self.values["FixOrientation"] and not ranks.are_alone:
                 raise WindingError("one rank has not all faces to turn: use Fix Orientation off; "
@@ -110,7 +110,7 @@ class SurfaceReport(Algorithm):
         options = {"normals_array": self.values["NormalsArray"],
                    "surface_cells": bool(self.value("UseSurfaceCells"))}
         given = data
-        source, notes = ranks.agree(lambda: source_in_words(data, **options))
+        source, notes = source_in_words(data, **options)
         leaves, blocks = ([getattr(leaf, name) for leaf in source.leaves]
                           for name in ("data", "block"))
         fixed = None

@@ -136,17 +136,17 @@ class Solids:
         if not self._ranks.same(len(blocks)):
             raise WindingError("give all ranks the same blocks, of which each may have a part: they "
                                "have different numbers of them")
-        self._ranks.agree(lambda: _check_blocks(blocks, self._options["as_points"]))
+        _check_blocks(blocks, self._options["as_points"])
         found = []
         for number, (name, block) in enumerate(blocks, 1):
             label = _label(number, f"block '{name}'", "extract fewer blocks")
-            own = self._ranks.agree(lambda block=block: Parts(np.empty((0, 3))) if block is None else
-                                    parts_of(self._filter, block, **self._options))
+            own = Parts(np.empty((0, 3))) if block is None else parts_of(
+                self._filter, block, **self._options)
             found.append(Solid(label, name, self._gathered(own)))
         return found
 
     def _of_data_set(self, data):
-        self._ranks.agree(lambda: _check(data))
+        _check(data)
         name = self._filter.values["RegionArray"]
         is_none = name == "None" and not data.GetCellData().HasArray("None")
         self._fields = data.GetFieldData()
@@ -169,7 +169,7 @@ class Solids:
         return Parts(leaf.points, leaf.corners, leaf.offsets)
 
     def _of_regions(self, data, name):
-        cells, texts = self._ranks.agree(lambda: _regions_of(data, name))
+        cells, texts = _regions_of(data, name)
         kind = 0 if texts is None and not len(cells) else 2 if texts is None else 1
         kinds = set(np.concatenate(self._ranks.gather(np.array([kind]))).tolist())
         if kinds >= {1, 2}:
@@ -178,7 +178,8 @@ class Solids:
         if 1 in kinds:
             every = sorted(set(self._ranks.texts(texts or [])), key=str.encode)
             places = np.array([every.index(text) for text in texts or []], np.int64)
-            cells = np.where(cells >= 0, places[cells], -1) if len(cells) else cells
+            if len(cells):
+                cells = np.append(places, -1)[cells]  # -1 stays
             named = {place: text or "(no text)" for place, text in enumerate(every)}
         else:
             own = np.unique(cells[_are_faces(data)]).astype(np.int64) if len(cells) else (
@@ -197,8 +198,7 @@ class Solids:
             else:
                 label = _label(region + offset, f"region {region} of '{name}'",
                                "choose another offset (Label Offset)")
-            parts = self._ranks.agree(
-                lambda region=region: self._of_region(data, cells == region))
+            parts = self._of_region(data, cells == region)
             found.append(Solid(label, its_name, self._gathered(parts)))
         return found
 
@@ -219,16 +219,16 @@ class Solids:
         return parts
 
     def _of_connectivity(self, data):
-        leaf, self.notes = self._ranks.agree(lambda: self._leaf_of(data))
+        leaf, self.notes = self._leaf_of(data)
         has_points = np.concatenate(self._ranks.gather(np.array([leaf is not None])))
-        if leaf is not None and leaf.corners is None:
-            raise WindingError("give blocks, one for each solid: the input is points, and nothing "
-                               "tells which belong together")
         if has_points.sum() > 1 and not self._ranks.same(
                 hash_of([leaf.points, leaf.corners]) if leaf is not None else 0):
             raise WindingError(
                 "several ranks cannot find solids that are in parts: name an array of regions "
                 "(Region Array), or give blocks, or give one rank the whole surface")
+        if leaf is not None and leaf.corners is None:
+            raise WindingError("give blocks, one for each solid: the input is points, and nothing "
+                               "tells which belong together")
         own = [] if leaf is None else self._ranks_parts(leaf)
         count = int(max(np.concatenate(self._ranks.gather(np.array([len(own)])))))
         if count > _MOST:
@@ -494,8 +494,8 @@ class WindingNumberLabels(ImageAlgorithm):
             for name in ("FirstShare", "FirstLabel", "SecondShare", "SecondLabel"):
                 take_better(all_arrays, others, name, lambda theirs, ours: are_larger)
 
-    def check_source(self, data, ranks):
-        ranks.agree(lambda: _check_kind(data, bool(self.value("SourceAsPoints"))))
+    def check_source(self, data):
+        _check_kind(data, bool(self.value("SourceAsPoints")))
 
     def make_image(self, data, ranks, grid, extent, image, attributes):
         self.check_verification(True)

@@ -365,7 +365,7 @@ class SourceAlgorithm(Algorithm):
 
     def parts(self, data, ranks):
         """Returns the parts of a source, of all ranks."""
-        own = ranks.agree(lambda: parts_of(self, data, **self.source_options()))
+        own = parts_of(self, data, **self.source_options())
         return gathered(own, ranks, self.value("SourceDistribution"))
 
     def key_of(self, data):

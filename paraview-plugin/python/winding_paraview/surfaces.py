@@ -68,8 +68,9 @@ class SurfaceAlgorithm(GridAlgorithm):
     def RequestInformation(self, request, inputs, outputs):
         out_info, of_image = self._requested(request, outputs), outputs.GetInformationObject(1)
         of_image.Set(Pipeline.WHOLE_EXTENT(), [0, -1, 0, -1, 0, -1], 6)
-        with self.reporting():
-            ranks = Ranks()
+        ranks = Ranks()
+        is_together = self.values["GenerateImage"] or self.values["BoundsOverAllTimes"]
+        with self.reporting(ranks=ranks if is_together else None):
             self.source_kind = kind_of(self.source())
             self.find_bounds_over_all_times(out_info, ranks)
             if self.value("GenerateImage"):
@@ -90,7 +91,7 @@ class SurfaceAlgorithm(GridAlgorithm):
         if piece and ranks.are_alone:
             return 1
         image.Initialize()
-        with self.reporting(output, image):
+        with self.reporting(output, image, ranks=ranks):
             self.check()
             self.check_verification(True)
             data = self.source()
