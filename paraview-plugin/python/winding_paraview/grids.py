@@ -581,13 +581,15 @@ class WindingNumberField(ImageAlgorithm):
         def level(values):
             return self.levels(values.astype(np.float64))
 
-        take_better(all_arrays, others, name, lambda theirs, ours: level(theirs) > level(ours))
-        take_better(all_arrays, others, "Inside", np.greater)
-        take_better(all_arrays, others, "Coverage", np.greater)
-        take_better(all_arrays, others, "SignedDistance", np.less)
-        for array, is_inside in (("Inside", lambda values: values != 0),
-                                 (name, lambda values: level(values) >= 0),
-                                 ("SignedDistance", lambda values: values < 0)):
+        # Winding numbers may have the name of another array, which is not there then.
+        are_better = {"Inside": np.greater, "Coverage": np.greater, "SignedDistance": np.less}
+        are_better[name] = lambda theirs, ours: level(theirs) > level(ours)
+        for array, is_better in are_better.items():
+            take_better(all_arrays, others, array, is_better)
+        are_inside = {"Inside": lambda values: values != 0, name: None,
+                      "SignedDistance": lambda values: values < 0}
+        are_inside[name] = lambda values: level(values) >= 0
+        for array, is_inside in are_inside.items():
             if all_arrays.GetArray(array) is not None:
                 found = vtk_to_numpy(all_arrays.GetArray(array))
                 self.inside_count = int(np.count_nonzero(is_inside(found)))

@@ -76,10 +76,17 @@ vtkIdType uniteResults(vtkDataSetAttributes* all, vtkDataSetAttributes* other,
   takeBetter(all, other, name,
     [rule, threshold](double theirs, double ours)
     { return levelOf(theirs, rule, threshold) > levelOf(ours, rule, threshold); });
-  takeBetter(all, other, "Inside", std::greater<>());
-  takeBetter(all, other, coverageName, std::greater<>());
-  takeBetter(all, other, distanceName, std::less<>());
-  if (vtkDataArray* inside = all->GetArray("Inside"))
+  const auto takeOther = [&](const std::string& of, auto isBetter)
+  {
+    if (of != name) // else it has winding numbers
+    {
+      takeBetter(all, other, of, isBetter);
+    }
+  };
+  takeOther("Inside", std::greater<>());
+  takeOther(coverageName, std::greater<>());
+  takeOther(distanceName, std::less<>());
+  if (vtkDataArray* inside = name == "Inside" ? nullptr : all->GetArray("Inside"))
   {
     return countOf<vtkUnsignedCharArray>(inside, [](auto side) { return side != 0; });
   }
