@@ -225,8 +225,13 @@ void vtkWindingNumberGridAlgorithm::Visit(
     for (const double step : times.steps)
     {
       request->Set(Pipeline::UPDATE_TIME_STEP(), step);
-      this->UpdateSource(request);
-      work();
+      // Where one rank fails, all restore the source, which may be an execution of all ranks, too.
+      this->GetRanks().agree(
+        [&]
+        {
+          this->UpdateSource(request);
+          work();
+        });
     }
   }
   catch (...)
@@ -251,6 +256,23 @@ void vtkWindingNumberGridAlgorithm::Visit(
   }
 }
 
+void vtkWindingNumberGridAlgorithm::AgreeOnTimes(const Times& times)
+{
+  const auto hash = [&times]
+  {
+    winding::ContentHash steps;
+    for (const double step : times.steps)
+    {
+      steps.addValue(step);
+    }
+    return steps.value();
+  };
+  if (!winding::areEqual(this->GetRanks().allGather(hash)))
+  {
+    throw winding::Refusal("give the source the same time steps on all ranks: they differ");
+  }
+}
+
 bool vtkWindingNumberGridAlgorithm::HasTimeSteps()
 {
   const Times times = this->GetTimes();
@@ -266,6 +288,7 @@ bool vtkWindingNumberGridAlgorithm::ForEachTime(
   vtkInformation* outInfo, const std::function<void(std::size_t number, std::size_t count)>& work)
 {
   const Times times = this->GetTimes();
+  this->AgreeOnTimes(times);
   std::size_t number = 0;
   if (!times.steps.empty())
   {
@@ -282,8 +305,15 @@ void vtkWindingNumberGridAlgorithm::HashBounds(winding::ContentHash& hash)
 void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes(vtkInformation* outInfo)
 {
   Times times = this->GetTimes();
-  const bool isAsked = this->BoundsOverAllTimes || this->IsOfAllTimes();
-  if (!this->UseInputBounds || !isAsked || times.steps.empty())
+  const bool isAsked = this->UseInputBounds && (this->BoundsOverAllTimes || this->IsOfAllTimes());
+  this->GetRanks().requireSame([isAsked]() -> winding::Ranks::Number { return isAsked; });
+  if (!isAsked)
+  {
+    this->BoundsOfTimes.clear();
+    return;
+  }
+  this->AgreeOnTimes(times);
+  if (times.steps.empty())
   {
     this->BoundsOfTimes.clear();
     return;

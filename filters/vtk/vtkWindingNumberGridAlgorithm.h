@@ -145,7 +145,7 @@ protected:
   void operator=(const vtkWindingNumberGridAlgorithm&) = delete;
 
   bool EvaluatesGrid() const override { return true; }
-  bool InformationNeedsSource() const override { return this->BoundsOverAllTimes != 0; }
+  bool InformationNeedsSource() const override { return true; }
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
@@ -257,6 +257,7 @@ protected:
 private:
   struct Times;
   Times GetTimes();
+  void AgreeOnTimes(const Times& times);
   void Visit(const Times& times, vtkInformation* outInfo, const std::function<void()>& work);
   void UpdateConnection(vtkAlgorithmOutput* connection, vtkInformation* outInfo);
   winding::GridRequest GetGridRequest(vtkDataObject* source);

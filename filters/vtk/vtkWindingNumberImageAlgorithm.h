@@ -159,7 +159,6 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
-  bool InformationNeedsSource() const override { return true; }
   std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
   bool MayTouchVoxels() const override { return this->Coverage == CENTER; }
   bool TakesTouchedVoxels() const override { return this->Coverage == ANY; }

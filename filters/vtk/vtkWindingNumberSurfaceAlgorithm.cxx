@@ -148,6 +148,8 @@ int vtkWindingNumberSurfaceAlgorithm::RequestInformation(
   winding::Extent extent = {0, -1, 0, -1, 0, -1};
   ofImage->Set(Pipeline::WHOLE_EXTENT(), extent.data(), 6);
   this->LookAtSource(this->GetSource());
+  this->GetRanks().requireSame(
+    [this]() -> winding::Ranks::Number { return this->GenerateImage != 0; });
   this->FindBoundsOverAllTimes(outInfo);
   if (!this->GenerateImage)
   {

@@ -178,10 +178,6 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
-  bool InformationNeedsSource() const override
-  {
-    return this->GenerateImage || this->Superclass::InformationNeedsSource();
-  }
   bool WorksOnFirstRank() const override { return true; }
   bool MayCloseBorder() const override { return !this->CloseBorder; }
   double GetResultBytes(vtkIdType samples) const override;

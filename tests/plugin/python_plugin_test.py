@@ -4,6 +4,7 @@
 other. The zip is unpacked into a folder of its own, as users do it, and ParaView's own interpreter
 runs it."""
 import ast
+import collections
 import concurrent.futures
 import json
 import os
@@ -256,25 +257,17 @@ for name, proxy in (("field", field), ("surface", surface), ("areas", areas)):
 
     def test_what_one_rank_refuses_both_refuse(self):
         """The other one would wait for ever."""
-        script = """
-cloud = simple.ProgrammableSource(OutputDataSetType="vtkPolyData", Script='''
-from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
-if vtkMultiProcessController.GetGlobalController().GetLocalProcessId() == 0:
-    sphere = vtkSphereSource()
-    sphere.Update()
-    self.GetOutput().SetPoints(sphere.GetOutput().GetPoints())
-    self.GetOutput().GetPointData().SetNormals(sphere.GetOutput().GetPointData().GetNormals())
-''')
-simple.WindingNumberLabels(Input=cloud, Resolution=8).UpdatePipeline()
-rank = servermanager.vtkProcessModule.GetProcessModule().GetPartitionId()
-simple.WindingNumberField(Input=simple.Sphere(), Resolution=8 + rank).UpdatePipeline()
-"""
-        texts = ("nothing tells which belong together (rank 0 of 2)",
-                 "set the same properties on all ranks: they differ, and so would the results")
+        told = []
         for plugin in (self.cxx, self.python):
-            out = self.run_text(plugin, script, before=self.on_two_ranks(), options=["--sym"])
-            self.assertEqual([out.count(text) for text in texts], [2, 2], out)
+            out = self.run_script(plugin, here / "ranks_refusals.py", before=self.on_two_ranks(),
+                                  options=["--sym"])
+            for rank in (0, 1):
+                self.assertIn(f"end of rank {rank}\n", out)
+            self.assertNotIn("Traceback", out)
+            lines = re.findall(r"\): ([^\n]* \(rank . of 2\)[^\n\x1b]*)", out)
+            told.append(collections.Counter(lines))
+        self.assertEqual(told[1], told[0])
+        self.assertEqual(sorted(told[0].values()), [2, 2, 2, 4, 6], told[0])
 
     def test_ranks_agree_on_how_work_ends(self):
         """Wherever one rank fails, and whatever the other one does meanwhile."""

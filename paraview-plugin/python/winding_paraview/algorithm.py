@@ -183,8 +183,6 @@ class Algorithm(VTKPythonAlgorithmBase):
         self.status = DONE
         try:
             with ranks.agreeing() if ranks else contextlib.nullcontext():
-                if ranks:
-                    self._require_same_properties(ranks)
                 yield
             self._told = None
         except WindingInterrupted:
@@ -205,13 +203,16 @@ class Algorithm(VTKPythonAlgorithmBase):
             for output in outputs:
                 output.Initialize()
 
-    def _require_same_properties(self, ranks):
+    def more_properties(self):
+        """Returns what is set by other calls than those of properties."""
+        return ()
+
+    def require_same_properties(self, ranks):
         """Refuses properties that differ among ranks, as scripts on each rank may set them."""
-        own = repr(sorted((name, value) for name, value in self.values.items()
-                          if name not in _OF_EACH_RANK))
-        if len(set(ranks.texts([own]))) > 1:
-            raise WindingError(
-                "set the same properties on all ranks: they differ, and so would the results")
+        own = sorted((name, value) for name, value in self.values.items()
+                     if name not in _OF_EACH_RANK)
+        ranks.require_same((own, self.more_properties()), "set the same properties on all ranks: "
+                           "they differ, and so would the results")
 
     def _refuse(self, text):
         """Reports an error, once for each change of the pipeline."""

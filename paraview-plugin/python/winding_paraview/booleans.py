@@ -46,6 +46,9 @@ class WindingNumberBoolean(SurfaceAlgorithm):
                              self.values["SourceDistribution"])
         return 1
 
+    def more_properties(self):
+        return [sorted(one.items()) for one in (*self.names, self.thresholds, self.rules)]
+
     def RemoveOtherConnections(self):
         self.SetInputConnection(1, None)
 
@@ -144,7 +147,7 @@ class WindingNumberBoolean(SurfaceAlgorithm):
             # prepare() keeps one field: that of this operand is put in its place.
             self.field_key, self.field, self.field_notes = self._kept.get(index, (None, None, []))
             self.source_kind = kind_of(data.GetBlock(index))
-            with self._naming(name):
+            with self._naming(name), ranks.agreeing():  # so that all are at this operand
                 is_own = self.prepare(data.GetBlock(index), ranks)
             kept[index] = (self.field_key, self.field, self.field_notes)
             fields.append(self.field)

@@ -30,6 +30,7 @@ from .sources import SourceAlgorithm, ask_for_part, kind_of, parts_of, welded
 CENTER, ANY, FRACTION = range(3)
 PARITY = 4
 VTK_UNSIGNED_CHAR, VTK_DOUBLE = 3, 11
+_OTHER_TIMES = "give the source the same time steps on all ranks: they differ"
 _FIRST = "look at the filter or reader before this one first: it failed"
 
 
@@ -158,17 +159,19 @@ class GridAlgorithm(SourceAlgorithm):
         current = moving.Get(Pipeline.UPDATE_TIME_STEP()) if has_time else min(times, default=0)
         return sorted(times), current, key
 
-    def for_each_time(self, out_info):
-        """Has the source made at each of its times, which it yields; then at the one that is asked
-        for. Who asks for none gets the source as it was."""
+    def for_each_time(self, out_info, ranks, work):
+        """Has the source made at each of its times, and calls `work` with the number of the time.
+        Then has it made at the one that is asked for. Who asks for none gets it as it was."""
         times, current, _ = self._times()
         request = vtkInformation()
         is_done = False
         try:
-            for step in times:
-                request.Set(Pipeline.UPDATE_TIME_STEP(), step)
-                self.update_source(request)
-                yield step
+            for number, step in enumerate(times):
+                # Where one rank fails, all restore the source, which all may have to make together.
+                with ranks.agreeing():
+                    request.Set(Pipeline.UPDATE_TIME_STEP(), step)
+                    self.update_source(request)
+                    work(number)
             is_done = True
         finally:  # whoever asks next finds the source at its time, even after a failure
             if times:
@@ -190,15 +193,19 @@ class GridAlgorithm(SourceAlgorithm):
         """Has the source made at each of its times, if the grid is to lie over all of them."""
         times, _, key = self._times()
         is_asked = self.values["BoundsOverAllTimes"] or self.is_of_all_times()
-        if not (self.values["UseInputBounds"] and is_asked and times):
+        is_asked = is_asked and self.values["UseInputBounds"]
+        if is_asked:
+            ranks.require_same(times, _OTHER_TIMES)
+        if not (is_asked and times):
             self._bounds_of_times = (None, None)
             return
         key = (key, self.bounds_key())
         are_kept = self._bounds_of_times[0] == key
         if ranks.same(int(are_kept)) and are_kept:
             return
-        boxes = [self.bounds_of_source(self.source(), ranks)
-                 for _ in self.for_each_time(out_info)]
+        boxes = []
+        self.for_each_time(out_info, ranks, lambda _: boxes.append(
+            self.bounds_of_source(self.source(), ranks)))
         boxes = [box for box in boxes if box is not None]
         found = None
         if boxes:
@@ -332,24 +339,28 @@ class ImageAlgorithm(GridAlgorithm):
 
     def _make_union(self, out_info, ranks, grid, extent, image):
         """Fills an image with the union of all times, if there are any."""
-        count = len(self._times()[0]) if self.is_of_all_times() else 0
-        if not count:
+        if not self.is_of_all_times():
             return False
+        times = self._times()[0]
+        ranks.require_same(times, _OTHER_TIMES)
+        if not times:
+            return False
+
+        def add(number):
+            self.check_union()
+            self.take_turn(number, len(times))
+            part = vtkImageData()
+            part.CopyStructure(image)
+            self.make_image(self.source(), ranks, grid, extent, part, self._attributes_of(part))
+            if number == 0:
+                image.ShallowCopy(part)
+            else:
+                self.unite_times(image, part)
+
         self.swept_samples = ()
         try:
-            with (self.distinct_warnings(),
-                  contextlib.closing(self.for_each_time(out_info)) as steps):
-                for number, _ in enumerate(steps):
-                    self.check_union()
-                    self.take_turn(number, count)
-                    part = vtkImageData()
-                    part.CopyStructure(image)
-                    self.make_image(
-                        self.source(), ranks, grid, extent, part, self._attributes_of(part))
-                    if number == 0:
-                        image.ShallowCopy(part)
-                    else:
-                        self.unite_times(image, part)
+            with self.distinct_warnings():
+                self.for_each_time(out_info, ranks, add)
         finally:
             self.swept_samples = None
         return True
@@ -424,6 +435,7 @@ class ImageAlgorithm(GridAlgorithm):
         out_info.Set(Pipeline.WHOLE_EXTENT(), [0, -1, 0, -1, 0, -1], 6)
         ranks = Ranks()
         with self.reporting(ranks=ranks):
+            self.require_same_properties(ranks)
             self.source_kind = kind_of(self.source())
             self.check()
             self._look_at_like(inputs)
@@ -470,6 +482,7 @@ class ImageAlgorithm(GridAlgorithm):
             return 1
         ranks = Ranks()
         with self.reporting(output, ranks=ranks):
+            self.require_same_properties(ranks)
             self.check()
             data = self.source()
             self.source_kind = kind_of(data)
@@ -577,6 +590,8 @@ class WindingNumberField(ImageAlgorithm):
     def unite_times(self, image, part):
         all_arrays, others = self._attributes_of(image), self._attributes_of(part)
         name = self.values["ResultArrayName"] or "WindingNumber"
+        if not self.value("GenerateWindingNumber"):
+            name = ""  # and no array has that
 
         def level(values):
             return self.levels(values.astype(np.float64))

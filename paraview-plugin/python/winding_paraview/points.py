@@ -57,6 +57,7 @@ class PointAreas(Algorithm):
         self.estimation = ""
         ranks = Ranks()
         with self.reporting(output, ranks=ranks):
+            self.require_same_properties(ranks)
             self.check()
             _copy(vtkDataObject.GetData(inputs[0]), output)
             self._add(output, ranks)

@@ -86,6 +86,7 @@ class ProbeAlgorithm(SourceAlgorithm):
         output = vtkDataObject.GetData(outputs)
         ranks = Ranks()
         with self.reporting(output, ranks=ranks):
+            self.require_same_properties(ranks)
             if self.GetNumberOfInputConnections(1) == 0:
                 raise WindingError("there is no source of winding numbers: give one (Source)")
             self.check()

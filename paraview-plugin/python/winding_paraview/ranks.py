@@ -26,9 +26,9 @@ def words_of_unexpected(error):
 def _kind_and_text(error):
     if isinstance(error, MemoryError):
         return _KINDS.index(WindingMemoryError), "not enough memory"
-    if isinstance(error, WindingError):
-        return _KINDS.index(type(error)), str(error)
-    return _KINDS.index(WindingError), words_of_unexpected(error)
+    kind = type(error) if type(error) in _KINDS else WindingError
+    return _KINDS.index(kind), (
+        str(error) if isinstance(error, WindingError) else words_of_unexpected(error))
 
 
 class Ranks:
@@ -65,12 +65,12 @@ class Ranks:
         return vtk_to_numpy(found).copy() if total else np.empty(0)
 
     def _exchange(self, own, text=""):
-        """Returns the lengths that ranks have. A rank that fails gives a kind of error less than 0,
-        and a text, and all ranks raise the error of the first of these."""
+        """Returns the lengths that ranks have. A rank that fails gives a kind of error as a number
+        less than 0, and a text. Then all ranks raise the error of the first of these."""
         lengths = self._gathered(np.array([own], float), self.count).astype(int)
         if (lengths >= 0).all():
             return lengths
-        letters = np.frombuffer(text.encode(), np.uint8).astype(float)
+        letters = np.frombuffer(text.encode(errors="replace"), np.uint8).astype(float)
         sizes = self._gathered(np.array([len(letters)], float), self.count).astype(int)
         texts = np.split(self._gathered(letters, sizes.sum()).astype(np.uint8),
                          np.cumsum(sizes)[:-1])
@@ -104,6 +104,11 @@ class Ranks:
         letters = "".join(f"{text}\0" for text in own).encode()
         every = np.concatenate(self.gather(np.frombuffer(letters, np.uint8)))
         return every.tobytes().decode(errors="replace").split("\0")[:-1]
+
+    def require_same(self, value, text):
+        """Refuses a value that differs among ranks, with a text."""
+        if len(set(self.texts([repr(value)]))) > 1:
+            raise WindingError(text)
 
     def same(self, number):
         """Returns whether a number is the same on all ranks."""

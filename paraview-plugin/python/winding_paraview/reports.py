@@ -99,6 +99,7 @@ class SurfaceReport(Algorithm):
         if ranks.are_alone and piece:
             return 1
         with self.reporting(output, ranks=ranks):
+            self.require_same_properties(ranks)
             self.check()
             if self.values["FixOrientation"] and not ranks.are_alone:
                 raise WindingError("one rank has not all faces to turn: use Fix Orientation off; "
@@ -138,7 +139,7 @@ class SurfaceReport(Algorithm):
             self._report_cloud(parts, data, fixed, output)
 
     def _completed(self, parts, notes):
-        """Returns parts with what a surface lacks by its owner's word, and notes on that."""
+        """Returns parts with what a surface lacks by its owner's word. Adds lines to `notes`."""
         if not parts.is_surface:
             return parts
         points, corners, offsets = fields.completed(

@@ -433,6 +433,9 @@ class WindingNumberLabels(ImageAlgorithm):
         is_sheet = bool(self.values["SheetSide"])
         return bool(info.is_surface and info.net_boundary_edges) and not is_sheet
 
+    def more_properties(self):
+        return sorted(self.input_names.items())
+
     def GetNumberOfInsideOutSolids(self):
         return self.inside_out_count
 

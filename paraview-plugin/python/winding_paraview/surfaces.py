@@ -69,8 +69,8 @@ class SurfaceAlgorithm(GridAlgorithm):
         out_info, of_image = self._requested(request, outputs), outputs.GetInformationObject(1)
         of_image.Set(Pipeline.WHOLE_EXTENT(), [0, -1, 0, -1, 0, -1], 6)
         ranks = Ranks()
-        is_together = self.values["GenerateImage"] or self.values["BoundsOverAllTimes"]
-        with self.reporting(ranks=ranks if is_together else None):
+        with self.reporting(ranks=ranks):
+            self.require_same_properties(ranks)
             self.source_kind = kind_of(self.source())
             self.find_bounds_over_all_times(out_info, ranks)
             if self.value("GenerateImage"):
@@ -92,6 +92,7 @@ class SurfaceAlgorithm(GridAlgorithm):
             return 1
         image.Initialize()
         with self.reporting(output, image, ranks=ranks):
+            self.require_same_properties(ranks)
             self.check()
             self.check_verification(True)
             data = self.source()
