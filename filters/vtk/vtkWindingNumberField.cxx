@@ -96,8 +96,9 @@ void vtkWindingNumberField::CheckUnion() const
 void vtkWindingNumberField::UniteTimes(vtkImageData* all, vtkImageData* other)
 {
   const std::string name = winding::textOf(this->ResultArrayName);
+  const std::string ofValues = name.empty() ? "WindingNumber" : name;
   this->NumberOfInsideSamples = winding::uniteResults(this->GetAttributes(all),
-    this->GetAttributes(other), name.empty() ? "WindingNumber" : name,
+    this->GetAttributes(other), this->GenerateWindingNumber ? ofValues : "",
     winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
   this->SampleCounts[1] = this->NumberOfInsideSamples;
 }

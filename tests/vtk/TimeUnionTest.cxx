@@ -276,6 +276,23 @@ TEST_F(TimeUnion, MayHaveAnyNameOfTheArray)
     }
     EXPECT_EQ(count, inside) << (name ? name : "none");
   }
+  field->GenerateWindingNumberOff(); // the name is that of no array then
+  for (const char* name : {"Inside", "SignedDistance"})
+  {
+    const bool isInside = std::string(name) == "Inside";
+    field->SetResultArrayName(name);
+    field->SetGenerateInside(isInside);
+    field->SetGenerateSignedDistance(!isInside);
+    field->Update();
+    EXPECT_EQ(field->GetNumberOfInsideSamples(), inside) << name;
+    vtkDataArray* const found = field->GetOutput()->GetPointData()->GetArray(name);
+    vtkIdType count = 0;
+    for (vtkIdType n = 0; n < found->GetNumberOfTuples(); ++n)
+    {
+      count += isInside ? found->GetTuple1(n) != 0 : found->GetTuple1(n) < 0;
+    }
+    EXPECT_EQ(count, inside) << name;
+  }
 }
 
 /// Memory is expected for the arrays of earlier times, and for a bit of each sample of a voxel.

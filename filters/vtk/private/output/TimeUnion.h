@@ -22,9 +22,9 @@ VTK_ABI_NAMESPACE_END
 namespace winding
 {
 
-/// Unites the arrays of a field, whose values are named `name`. Values come from the time at which
-/// they are farthest inside by the rule. What is inside at any time is inside; shares are the
-/// largest, and distances the least. Returns how many samples are inside.
+/// Unites the arrays of a field, whose values are named `name`, empty for no values. These come
+/// from the time at which they are farthest inside by the rule. What is inside at any time is
+/// inside; shares are the largest, and distances the least. Returns how many samples are inside.
 vtkIdType uniteResults(vtkDataSetAttributes* all, vtkDataSetAttributes* other,
   const std::string& name, InsideRule rule, double threshold);
 
