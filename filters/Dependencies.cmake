@@ -20,12 +20,22 @@ FetchContent_Declare(hwy
   FIND_PACKAGE_ARGS)
 set(EIGEN_BUILD_DOC OFF CACHE BOOL "" FORCE)
 set(EIGEN_BUILD_TESTING OFF CACHE BOOL "" FORCE)
-# Of any version, for Eigen 5 refuses a request for 3.4; core/CMakeLists.txt refuses older ones.
+# Eigen 5 refuses a request for 3.4, and an older one is left alone.
+set(eigen_of_system "")
+if(NOT FETCHCONTENT_SOURCE_DIR_EIGEN3)
+  find_package(Eigen3 3.4 QUIET NO_MODULE)
+  if(NOT Eigen3_FOUND)
+    find_package(Eigen3 5 QUIET NO_MODULE)
+  endif()
+  if(Eigen3_FOUND)
+    set(eigen_of_system FIND_PACKAGE_ARGS NO_MODULE)
+  endif()
+endif()
 FetchContent_Declare(Eigen3
   GIT_REPOSITORY https://gitlab.com/libeigen/eigen.git
   GIT_TAG 3.4.0
   EXCLUDE_FROM_ALL SYSTEM
-  FIND_PACKAGE_ARGS NO_MODULE)
+  ${eigen_of_system})
 set(NANOFLANN_BUILD_EXAMPLES OFF CACHE BOOL "" FORCE)
 set(NANOFLANN_BUILD_TESTS OFF CACHE BOOL "" FORCE)
 FetchContent_Declare(nanoflann

@@ -19,19 +19,26 @@ def check_package_of_c(settings):
     """Later versions serve programs of 1.0, and unknown components are refused."""
     package = next(settings.prefix.rglob("WindingConfigVersion.cmake")).parent
     script = emptied(settings.folder / "package") / "check.cmake"
-    later = (package / "WindingConfigVersion.cmake").read_text().replace(version(), "1.7.0")
+    later = script.with_name("later.cmake")
+    later.write_text(
+        (package / "WindingConfigVersion.cmake").read_text().replace(version(), "1.7.0"))
     script.write_text(f"""\
 set(PACKAGE_FIND_VERSION 1.0)
 set(PACKAGE_FIND_VERSION_MAJOR 1)
-{later}
+set(PACKAGE_FIND_VERSION_MINOR 0)
+set(CMAKE_SIZEOF_VOID_P 8)
+include("{later}")
 set(Winding_FIND_COMPONENTS Nonsense)
 set(Winding_FIND_REQUIRED_Nonsense TRUE)
 include("{package}/WindingConfig.cmake")
 if(NOT PACKAGE_VERSION_COMPATIBLE OR Winding_FOUND OR NOT Winding_NOT_FOUND_MESSAGE MATCHES ": Nonsense")
   message(FATAL_ERROR "'${{PACKAGE_VERSION_COMPATIBLE}}', '${{Winding_NOT_FOUND_MESSAGE}}'")
 endif()
+file(TOUCH "{script.with_name("checked")}")
 """)
     run(settings.cmake, "-P", script)
+    if not script.with_name("checked").exists():
+        raise SystemExit("the package of C was not checked to the end")
 
 
 def build_in_c(settings, files):
