@@ -73,8 +73,8 @@ class Attributes:
         return [array.GetValue(row) for row in range(array.GetNumberOfValues())]
 
     def _arrays(self, of_points):
-        """Returns the arrays that all leaves have: name, values, whether there are values in
-        between, the attribute that each is in the first leaf, and the names of numbers or None."""
+        """Returns the arrays that all leaves have. Each is its name, its values, whether there are
+        values in between, its attribute in the first leaf, and the names of numbers or None."""
         found, seen = [], set(_PASSED_OVER)
         leaves = self._source.leaves
         for index, leaf in enumerate(leaves):
@@ -118,7 +118,7 @@ class Attributes:
             name == "NearestCell" or self._is_composite and name == "NearestBlock")
 
     def _taken(self, surface):
-        """Returns the arrays whose names the result has already; its normals are its own."""
+        """Returns the names of arrays that a surface has already, except its own normals."""
         names = []
         for arrays, target in ((self._of_points, surface.GetPointData()),
                                (self._of_cells, surface.GetCellData())):
@@ -241,8 +241,8 @@ def _has_room_for_names(values):
 
 
 def _united(parts, names):
-    """Returns numbers in the lists of names of their parts, as numbers in one list, -1 without a
-    name; and this list: the names of the first part, and new ones of the next."""
+    """Returns numbers of one list of names for numbers in the lists of parts, and this list. A
+    number without a name becomes -1. Names of the first part come first, then new ones."""
     known, made = {}, []
     for values, own in zip(parts, names):
         numbers = np.array([known.setdefault(name, len(known)) for name in own] + [-1], np.int64)

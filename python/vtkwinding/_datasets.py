@@ -34,8 +34,8 @@ def package_of(data):
 
 
 def class_of(data, modules, name):
-    """Returns a class of VTK, of the package that an object is of: from the first of some modules
-    that has it, for classes move from one version to the next."""
+    """Returns a class of VTK, of the package that an object is of. It comes from the first of some
+    modules that has it, for classes move from one version to the next."""
     for module in [modules] if isinstance(modules, str) else modules:
         found = getattr(importlib.import_module(f"{package_of(data)}.{module}"), name, None)
         if found is not None:
@@ -144,7 +144,7 @@ def cell_types_of(grid):
 
 
 def dimensions_of(types):
-    """Returns the dimensions of cells, 0 to 3, by their types; -1 for types without cells."""
+    """Returns the dimensions of cells, 0 to 3, by their types; -1 for numbers that are no type."""
     table = np.full(256, -1, np.int8)
     for dimension, kinds in _DIMENSIONS.items():
         table[list(kinds)] = dimension

@@ -93,7 +93,7 @@ def _padded(bounds, padding):
 
 
 def _bricks(bounds, steps):
-    """Returns the box and the dimensions of voxels with three different sides: the box grows to a
+    """Returns the box and the dimensions of voxels with three different sides. The box grows to a
     whole number of them, evenly on both sides, as it does for cubes."""
     counts, ends = [], []
     for axis, step in enumerate(steps):

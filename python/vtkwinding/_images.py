@@ -36,8 +36,8 @@ def on_grid(field, grid, kinds, sides, coverage=0, band=0, show=None):
 
 
 def evaluate(field, data, kinds, sides, *, at_cells=False, coverage=0, band=0, show=None):
-    """Returns values of a field at the points of a data set, or at the centres of its cells:
-    flat arrays by their names in the library. Coverage and bands are for images."""
+    """Returns values of a field at the points of a data set, or at the centres of its cells. They
+    are flat arrays by their names in the library. Coverage and bands are for images."""
     grid, frame = None, None
     if isinstance(data, pv.ImageData):
         skew = {"skew": _parts.MOST_SKEW_TO_LIE_ON} if coverage or band else {}

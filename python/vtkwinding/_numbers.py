@@ -6,7 +6,7 @@ import numpy as np
 
 
 def _numbers(name, array, kinds, words):
-    """Returns an array of numbers of some kinds, or an exception that names what was given."""
+    """Returns an array of numbers of some kinds. Raises TypeError for anything else."""
     if array is None or isinstance(array, (str, bytes)):
         raise TypeError(f"{name} must be an array of {words}, not {type(array).__name__}")
     try:

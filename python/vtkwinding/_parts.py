@@ -85,11 +85,11 @@ def has_right_angles(image, skew=MOST_SKEW_TO_LIE_ON):
 
 
 def grid_of_image(image, at_cells, skew=_MOST_SKEW, are_voxels=False):
-    """Returns the grid of the library that the points of an image are, or the centres of its cells,
-    and its Frame, which is None where the coordinates of space are the image's. The grid is None
-    for images with axes that are not at right angles up to `skew`, that are empty or that have
-    blank parts. A single layer of samples has the spacing of the image across it where
-    `are_voxels`, and as points the widest one in it."""
+    """Returns the grid of the library that the points or centres of cells of an image are, and its
+    Frame. This is None where the coordinates of space are the image's. The grid is None for images
+    that are empty, have blank parts, or axes that are not at right angles up to `skew`. A single
+    layer of samples has the spacing of the image across it where `are_voxels`, and as points the
+    widest one in it."""
     if (image.GetNumberOfPoints() == 0 or image.HasAnyBlankPoints() or image.HasAnyBlankCells()
             or not has_right_angles(image, skew)):
         return None, None
@@ -162,7 +162,7 @@ def _cells_of(data):
 
 
 def _any_and_all(data, flags):
-    """Returns for each cell whether a flag is set at any of its points, and whether at all."""
+    """Returns for each cell whether any of its points has a flag set, and whether all have."""
     flags = np.asarray(flags, bool)
     if data.GetNumberOfCells() == 0:
         return np.zeros((2, 0), bool)
@@ -239,9 +239,9 @@ def _kept_polydata(data, cells):
 
 
 def inside_part(data, inside, *, at_cells=False):
-    """Returns the cells of a data set of which all points are inside, or with at_cells the cells
-    that are: vtkPolyData of polydata, vtkUnstructuredGrid of all others, with all arrays. A data
-    set without cells counts as points with a vertex each."""
+    """Returns the cells of a data set whose points are all inside, or with at_cells the cells that
+    are. It is vtkPolyData of polydata, vtkUnstructuredGrid of all others, and has all arrays. A
+    data set without cells counts as points with a vertex each."""
     check_cells(data, "the data set")
     inside = np.asarray(inside, bool)
     whole = data

@@ -51,9 +51,8 @@ def regions_of(leaf, fields):
 
 def names_of_parts(regions, parts):
     """Returns the solids that a file names, for polygons in `parts`, which are less than 0 for
-    none: the number of each polygon's, and their names; None where there are none. Last comes
-    the kind whose names divide parts, if there is one. These are the rules of
-    vtkWindingNumberLabels."""
+    none. They are the number of each polygon's, and their names, or None. Last comes the kind
+    whose names divide parts, if there is one. These are the rules of vtkWindingNumberLabels."""
     divides = None
     are_used = parts >= 0
     for kind in KINDS:

@@ -276,9 +276,9 @@ def framed(parts, frame):
 
 
 def _outer_surface(mesh, surface_cells, keeps_points):
-    """Returns the polydata that bounds a mesh with faces; how many loose cells, and cells of the
-    other kind, it leaves out; and how many cells it turns. With `keeps_points` curved faces are
-    divided at their own points only."""
+    """Returns the polydata that bounds a mesh with faces, and counts of cells. These are the loose
+    ones and those of the other kind that it leaves out, and the ones that it turns. With
+    `keeps_points` curved faces are divided at their own points only."""
     if mesh.IsA("vtkPolyData"):
         return mesh, (mesh.GetNumberOfVerts() + mesh.GetNumberOfLines(), 0, 0)
     if mesh.IsA("vtkExplicitStructuredGrid"):
@@ -362,8 +362,8 @@ def _areas_of(surface):
 
 
 def _looking_outward(mesh, surface, is_curved):
-    """Returns the outer surface of a mesh, with each polygon turned away from its own cell, and the
-    number of cells for which that is needed."""
+    """Returns the outer surface of a mesh, each polygon turned away from its own cell, and how many
+    cells need that."""
     count = surface.GetNumberOfPolys()
     if count == 0:
         return surface, 0
@@ -445,8 +445,8 @@ class SourceField(Field):
         return field
 
     def cut_distances(self, places, kept, are_cut, sides, show=None):
-        """Returns numbers by which clipped_part() of _parts finds where the inside ends, for all
-        points of data: `places` are the places of cells that are cut."""
+        """Returns numbers at all points of data, by which clipped_part() of _parts finds where the
+        inside ends. `places` are the places of cells that are cut."""
         kinds = {"winding": np.dtype("f8"), "distance": np.dtype("f8")}
         if not self.is_closed:
             kinds["gradient"] = np.dtype("f8")

@@ -58,7 +58,7 @@ _with_options = spelled_out(SourceOptions, _ALL_DEFAULTS)
 
 
 def _check_source(name, mesh):
-    """Returns a mesh that may be the source of a field."""
+    """Refuses a mesh that cannot be the source of a field."""
     if not isinstance(mesh, (pv.PointSet, pv.PolyData, pv.UnstructuredGrid, pv.StructuredGrid,
                              pv.ExplicitStructuredGrid, pv.MultiBlock)):
         kind = type(mesh).__name__
@@ -152,7 +152,7 @@ class WindingAccessor:
         self._kept: Callable[[], SourceField | None] = lambda: None
 
     def _field(self, options, name="the mesh"):
-        """Returns the field of this mesh, kept from call to call, and its rule of the inside."""
+        """Returns the field of this mesh, kept from call to call, with rule and threshold."""
         for option in options:
             if option not in _ALL_DEFAULTS:
                 raise TypeError(
@@ -505,8 +505,8 @@ class WindingAccessor:
     def extract_interior(self, surface: pv.DataObject, *, association: str = "point",
                          inside_out: bool = False, progress_bar: bool = False,
                          **options: Unpack[SourceOptions]) -> pv.DataObject:
-        """Returns the part of this mesh that is inside a surface: cells whose points all are, or
-        with association='cell' those whose centre is; points, where there are no cells."""
+        """Returns the part of this mesh that is inside a surface. It has cells whose points all
+        are, or with association='cell' whose centre is; points, where there are no cells."""
         is_inverse = _options.flag("inside_out", inside_out)
         inside = self._probe(surface, {"inside": np.dtype("u1")}, progress_bar,
                              "Extracting the inside", options, association)["inside"]

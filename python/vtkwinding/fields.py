@@ -477,8 +477,8 @@ class Field:
 
 
 def _values_of(shape, kinds, **settings):
-    """Returns the struct of the library for values of some kinds, and the arrays that it fills: for
-    the samples of a grid, x runs fastest."""
+    """Returns the struct of the library for values of some kinds, and the arrays that it fills. For
+    the samples of a grid x runs fastest."""
     values, arrays = _library.Values(**settings), {}
     for name, dtype in kinds.items():
         arrays[name] = np.empty((*shape, 3)) if name == "gradient" else _empty(shape, dtype)
@@ -590,9 +590,10 @@ def label(fields, grid, sides, overlap, coverage, *, numbers=None, names=None,
 def report(vertices: Any, faces: ArrayLike | None = None, *,
            normals: ArrayLike | None = None, mirror: str | None = None,
            flat_base: str | None = None, weld_tolerance: float = 0) -> dict[str, Any]:
-    """Returns the health of a surface, or of a cloud where there are no faces: counts and measures,
-    and 'advice' in words, the most important first. winding_report and winding_cloud_report of the
-    library say what the entries mean. mirror, flat_base and weld_tolerance: as for Field."""
+    """Returns the health of a surface, or of a cloud where there are no faces. It has counts and
+    measures, and 'advice' in words, the most important first. winding_report and
+    winding_cloud_report of the library say what the entries mean. mirror, flat_base and
+    weld_tolerance: as for Field."""
     vertices, faces, normals, _ = _parts(vertices, faces, normals)
     if faces is not None:
         points, ids = _numbers.surface(vertices, faces, finite=False)
@@ -607,8 +608,8 @@ def report(vertices: Any, faces: ArrayLike | None = None, *,
 
 def completed(points, corners, offsets=None, *, mirror, flat_base, weld_tolerance, notes,
               call=_library.call):
-    """Returns points, corners and offsets of a surface with its mirror images and its base:
-    triangles (F, 3) without offsets, or what came in where nothing is asked for. Lines on these
+    """Returns points, corners and offsets of a surface with its mirror images and its base. These
+    are triangles (F, 3) without offsets, or what came in where nothing is asked for. Lines on them
     join the notes."""
     if not (mirror or flat_base or weld_tolerance):
         return points, corners, offsets
