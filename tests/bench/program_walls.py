@@ -4,8 +4,9 @@
 
 Usage: program_walls.py <winding> <folder of meshes> <folder of large ones> [older winding]
 
-The first folder has bunny_70k.obj and armadillo_346k_sub4.ply; the second one what
-`large_meshes.py <first folder>/armadillo_346k_sub4.ply <second folder> 2 3 damaged cloud` writes.
+The first folder has bunny_70k.obj, bunny_noised_points.ply, armadillo_86k.obj, teapot.obj and
+armadillo_346k_sub4.ply. The second one has what `large_meshes.py
+<first folder>/armadillo_346k_sub4.ply <second folder> 2 3 damaged cloud` writes.
 It gets an OBJ file of 330 000 triangles in ten groups, the armadillo without its feet, and the
 results. All files are read once before, so that they are in the page cache.
 
@@ -13,10 +14,12 @@ The first table has the wall clock of whole runs that write .vti files, and the 
 brackets, each the least of several rounds in which the versions take turns; the steps of the
 fastest; and the peak of memory beside the image, for each triangle of large meshes. The second one
 has preparing and evaluating of the large meshes, on one thread and on all, and the processor's
-seconds of the whole run. Needs NumPy, and 4 GB of memory.
+seconds of the whole run. The third one has whole runs of the other commands on all threads and on
+one, and the peaks of their memory. Needs NumPy, and 4 GB of memory.
 """
 
 import json
+import os
 import pathlib
 import resource
 import subprocess
@@ -104,6 +107,52 @@ def parts(programs, meshes, folder):
                       f"{processor:.2f} |", flush=True)
 
 
+def whole_run(program, words):
+    """Seconds of the wall clock of a run, and the peak of its memory in MB."""
+    start = time.perf_counter()
+    process = subprocess.Popen([str(word) for word in (program, *words)], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
+    _, status, used = os.wait4(process.pid, 0)
+    if status != 0:
+        raise SystemExit(f"{words} ended with {os.waitstatus_to_exitcode(status)}")
+    return time.perf_counter() - start, used.ru_maxrss / 1024
+
+
+def tasks(program, meshes, folder, rounds=5):
+    armadillo, bunny, teapot = (meshes / f"{name}.obj" for name in (
+        "armadillo_86k", "bunny_70k", "teapot"))
+    cloud = meshes / "bunny_noised_points.ply"
+    report = run(program, armadillo, folder / "field.vti", "--resolution", 256)[-1]
+    distance = 5 * report["grid"]["spacing"][0]
+    at = ("--resolution", 256)
+    both = (armadillo, bunny, "-o", folder / "out.ply", "--operation", "difference", *at)
+    named = {
+        "surface, armadillo": ("surface", armadillo, "-o", folder / "out.ply", *at),
+        "the same, sharp": (
+            "surface", armadillo, "-o", folder / "out.ply", *at, "--features", "sharp"),
+        "the same, offset by five voxels": (
+            "surface", armadillo, "-o", folder / "out.ply", *at, "--offset", distance),
+        "the same, a shell of five voxels": (
+            "surface", armadillo, "-o", folder / "out.ply", *at, "--shell", distance),
+        "boolean, armadillo less bunny": ("boolean", *both),
+        "that boolean, sharp": ("boolean", *both, "--features", "sharp"),
+        "labels, armadillo, bunny and teapot": (
+            "labels", armadillo, bunny, teapot, "-o", folder / "out.vti", *at),
+        "those labels with shares": (
+            "labels", armadillo, bunny, teapot, "-o", folder / "out.vti", *at,
+            "--coverage", "fraction"),
+        "voxels, armadillo": ("voxels", armadillo, "-o", folder / "out.ply", *at),
+        "normals, bunny of noisy points": ("normals", cloud, "-o", folder / "out.ply"),
+    }
+    print("\n| command | s | s, one thread | MB |\n|---|---|---|---|")
+    for name, words in named.items():
+        runs = {threads: [whole_run(program, (*words, "--quiet", "--overwrite", *threads))
+                          for _ in range(rounds)] for threads in ((), ("--threads", 1))}
+        best = [min(one[0] for one in some) for some in runs.values()]
+        peak = max(one[1] for one in runs[()])
+        print(f"| {name} | {best[0]:.2f} | {best[1]:.2f} | {peak:.0f} |", flush=True)
+
+
 def main(program, meshes, large, older=None):
     meshes, large = pathlib.Path(meshes), pathlib.Path(large)
     programs = {"before": older, "now": program} if older else {"now": program}
@@ -116,6 +165,7 @@ def main(program, meshes, large, older=None):
           large)
     largest = (("", 512, 2), ("_damaged", 256, 2), ("_cloud", 64, 1))
     parts(programs, [(large / f"{stem}_x64{kind}.ply", *rest) for kind, *rest in largest], large)
+    tasks(program, meshes, large)
 
 
 if __name__ == "__main__":
