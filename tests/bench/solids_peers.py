@@ -37,7 +37,7 @@ import numpy as np
 import vtk
 from meshlib import mrmeshnumpy, mrmeshpy
 
-from surface_peers import Mesh, read
+from surface_peers import Mesh, read, wrapped
 
 MOST_PAIRS = 20
 MOST_SECONDS = 20  # for VTK's filter, which may not end
@@ -235,21 +235,6 @@ def broken(program, resolution, paths, folder):
                       f"{by_vtk(*both, operation)}", flush=True)
 
 
-def wrapped(program, source, alpha, offset, folder):
-    """The mesh of CGAL's alpha wrapping, and its seconds."""
-    lines = [f"OFF\n{len(source.points)} {len(source.triangles)} 0"]
-    lines += [" ".join(map(repr, point)) for point in source.points.tolist()]
-    lines += ["3 " + " ".join(map(str, ids)) for ids in source.triangles.tolist()]
-    pathlib.Path(f"{folder}/source.off").write_text("\n".join(lines) + "\n")
-    done = subprocess.run([program, f"{folder}/source.off", str(alpha), str(offset),
-                           f"{folder}/wrap.off"], capture_output=True, text=True, check=True)
-    lines = pathlib.Path(f"{folder}/wrap.off").read_text().split("\n")
-    points, faces = map(int, lines[1].split()[:2])
-    lines = [line for line in lines[2:] if line.strip()]
-    return Solid(np.array([line.split() for line in lines[:points]], float), np.array(
-        [line.split()[1:4] for line in lines[points:points + faces]], int)), float(done.stdout)
-
-
 def offsets(program, resolution, paths, folder):
     wrap = pathlib.Path(program).with_name("alpha_wrap")
     for path in paths:
@@ -262,7 +247,8 @@ def offsets(program, resolution, paths, folder):
                 if name == "CGAL":
                     if offset < 0 or not wrap.exists():
                         continue
-                    found, seconds = wrapped(wrap, source, 2 * voxel, offset, folder)
+                    *mesh, seconds = wrapped(wrap, source, 2 * voxel, offset, folder)
+                    found = Solid(*mesh)
                 elif name == "MeshLib":
                     begin = time.perf_counter()
                     parameters = mrmeshpy.GeneralOffsetParameters()

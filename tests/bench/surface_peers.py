@@ -4,10 +4,12 @@
 
 Usage: surface_peers.py <winding> <resolution> <mesh>…
 
-Meshes are .stl, .obj or .ply, and closed. Compared are `winding surface`, smooth and sharp;
-vtkFlyingEdges3D on the signed distances of `winding field`; vtkSurfaceNets3D on what that finds
-inside; and, if it is installed, MeshLib's remeshing by voxels, as it is and with sharp edges.
-Seconds of VTK's filters are without those of the field, which stand beside it.
+Meshes are .stl, .obj or .ply, and closed; `gear` is the one of data/sharp_pictures.py. Compared are
+`winding surface`, smooth and sharp; vtkFlyingEdges3D on the signed distances of `winding field`;
+vtkSurfaceNets3D on what that finds inside; and, if it is installed, MeshLib's remeshing by voxels,
+as it is and with sharp edges. CGAL's alpha wrapping has an alpha of a voxel and an offset of 0.02
+voxels; it is there if `alpha_wrap` (AlphaWrap.cxx) lies next to `winding`. Seconds of VTK's filters
+are without those of the field, which stand beside it.
 
 For each surface it prints distances of 20 000 points of the input from it and of 20 000 points of
 it from the input, evenly distributed, in voxels: the share of the former within 0.05, the largest
@@ -55,6 +57,12 @@ class Mesh:
         ids = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
         self.points, where = np.unique(points, axis=0, return_inverse=True)
         self.triangles = where.reshape(-1)[ids]
+
+    @classmethod
+    def of(cls, points, triangles):
+        mesh = cls.__new__(cls)
+        mesh.points, mesh.triangles = points, triangles
+        return mesh
 
     def as_vtk(self):
         data = vtk.vtkPolyData()
@@ -142,6 +150,33 @@ def by_meshlib(path, voxel, mode):
         return read(f"{folder}/surface.ply"), seconds
 
 
+def wrapped(program, source, alpha, offset, folder):
+    """The points and triangles of CGAL's alpha wrapping of a mesh, and its seconds."""
+    path, out = pathlib.Path(folder, "source.off"), pathlib.Path(folder, "wrap.off")
+    lines = [f"OFF\n{len(source.points)} {len(source.triangles)} 0"]
+    lines += [" ".join(map(repr, point)) for point in source.points.tolist()]
+    lines += ["3 " + " ".join(map(str, ids)) for ids in source.triangles.tolist()]
+    path.write_text("\n".join(lines) + "\n")
+    done = subprocess.run([program, path, str(alpha), str(offset), out], capture_output=True,
+                          text=True, check=True)
+    lines = [line for line in out.read_text().split("\n") if line.strip()]
+    points, faces = map(int, lines[1].split()[:2])
+    return (np.array([line.split() for line in lines[2:2 + points]], float),
+            np.array([line.split()[1:4] for line in lines[2 + points:2 + points + faces]], int),
+            float(done.stdout))
+
+
+def write_gear(path):
+    sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "data"))
+    from sharp_pictures import gear
+    writer = vtk.vtkSTLWriter()
+    writer.SetInputData(gear())
+    writer.SetFileName(path)
+    writer.SetFileTypeToBinary()
+    writer.Write()
+    return path
+
+
 def surfaces(program, path, resolution, folder):
     """Gives a name, a surface, its seconds and the size of a voxel, one after the other."""
     for features in ("smooth", "sharp"):
@@ -170,16 +205,21 @@ def surfaces(program, path, resolution, folder):
         for mode in ("Standard", "Sharpening"):
             found = by_meshlib(path, voxel, getattr(mrmeshpy.OffsetMode, mode))
             yield f"MeshLib {mode}", *found, voxel
+    wrap = pathlib.Path(program).with_name("alpha_wrap")
+    if wrap.exists():
+        *mesh, seconds = wrapped(wrap, Mesh(read(path)), voxel, 0.02 * voxel, folder)
+        yield "alpha wrapping", Mesh.of(*mesh), seconds, voxel
 
 
 def main(program, resolution, *paths):
     for path in paths:
-        source = Mesh(read(path))
-        points = source.sampled()
-        print(f"{pathlib.Path(path).name}, {resolution} voxels along the longest side")
         with tempfile.TemporaryDirectory() as folder:
+            path = write_gear(f"{folder}/gear.stl") if path == "gear" else path
+            source = Mesh(read(path))
+            points = source.sampled()
+            print(f"{pathlib.Path(path).name}, {resolution} voxels along the longest side")
             for name, data, seconds, voxel in surfaces(program, path, resolution, folder):
-                surface = Mesh(data)
+                surface = data if isinstance(data, Mesh) else Mesh(data)
                 to = surface.distances(points) / voxel
                 back = source.distances(surface.sampled()) / voxel
                 volume = 100 * surface.volume() / source.volume() - 100
