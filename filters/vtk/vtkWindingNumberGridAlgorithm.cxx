@@ -307,13 +307,11 @@ void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes(vtkInformation* outIn
   Times times = this->GetTimes();
   const bool isAsked = this->UseInputBounds && (this->BoundsOverAllTimes || this->IsOfAllTimes());
   this->GetRanks().requireSame([isAsked]() -> winding::Ranks::Number { return isAsked; });
-  if (!isAsked)
+  if (isAsked)
   {
-    this->BoundsOfTimes.clear();
-    return;
+    this->AgreeOnTimes(times);
   }
-  this->AgreeOnTimes(times);
-  if (times.steps.empty())
+  if (!isAsked || times.steps.empty())
   {
     this->BoundsOfTimes.clear();
     return;
