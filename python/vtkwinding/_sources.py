@@ -276,8 +276,8 @@ def framed(parts, frame):
 
 
 def _outer_surface(mesh, surface_cells, keeps_points):
-    """Returns the polydata that bounds a mesh with faces, and counts of cells. These are the loose
-    ones and those of the other kind that it leaves out, and the ones that it turns. With
+    """Returns the polydata that bounds a mesh with faces, how many cells it leaves out, and how many
+    it turns. The former are two numbers: loose cells, and cells of the other kind. With
     `keeps_points` curved faces are divided at their own points only."""
     if mesh.IsA("vtkPolyData"):
         return mesh, (mesh.GetNumberOfVerts() + mesh.GetNumberOfLines(), 0, 0)

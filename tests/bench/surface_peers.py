@@ -9,7 +9,7 @@ Meshes are .stl, .obj or .ply, and closed; `gear` is the one of data/sharp_pictu
 vtkSurfaceNets3D on what that finds inside; and, if it is installed, MeshLib's remeshing by voxels,
 as it is and with sharp edges. CGAL's alpha wrapping has an alpha of a voxel and an offset of 0.02
 voxels; it is there if `alpha_wrap` (AlphaWrap.cxx) lies next to `winding`. Seconds of VTK's filters
-are without those of the field, which stand beside it.
+are without the seconds of the field, which are printed as well.
 
 For each surface it prints distances of 20 000 points of the input from it and of 20 000 points of
 it from the input, evenly distributed, in voxels: the share of the former within 0.05, the largest

@@ -204,7 +204,7 @@ class Algorithm(VTKPythonAlgorithmBase):
                 output.Initialize()
 
     def more_properties(self):
-        """Returns what is set by other calls than those of properties."""
+        """Returns what a filter has been set to by calls that no property makes."""
         return ()
 
     def require_same_properties(self, ranks):

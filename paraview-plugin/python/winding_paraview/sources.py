@@ -167,7 +167,7 @@ def source_in_words(data, **options):
 
 
 def _has_only_lines(source):
-    """Returns whether all data sets of a source are lines, of which some have no normals."""
+    """Returns whether all data sets of a source are lines, and some have no normals."""
     return any(leaf.normals is None for leaf in source.leaves) and all(
         _datasets.is_of_lines(leaf.data) for leaf in source.leaves)
 
