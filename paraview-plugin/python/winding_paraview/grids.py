@@ -588,24 +588,22 @@ class WindingNumberField(ImageAlgorithm):
                                "Cells off, or use Union Over All Times off")
 
     def unite_times(self, image, part):
-        all_arrays, others = self._attributes_of(image), self._attributes_of(part)
-        name = self.values["ResultArrayName"] or "WindingNumber"
-        if not self.value("GenerateWindingNumber"):
-            name = ""  # and no array has that
-
         def level(values):
             return self.levels(values.astype(np.float64))
 
-        # Winding numbers may have the name of another array, which is not there then.
-        are_better = {"Inside": np.greater, "Coverage": np.greater, "SignedDistance": np.less}
-        are_better[name] = lambda theirs, ours: level(theirs) > level(ours)
-        for array, is_better in are_better.items():
+        # By array: what is better than ours, and what is inside, if the array says so. Winding
+        # numbers may have the name of another array, which is not there then.
+        rules = {"Inside": (np.greater, lambda values: values != 0)}
+        if self.value("GenerateWindingNumber"):
+            rules[self.values["ResultArrayName"] or "WindingNumber"] = (
+                lambda theirs, ours: level(theirs) > level(ours), lambda values: level(values) >= 0)
+        rules.setdefault("SignedDistance", (np.less, lambda values: values < 0))
+        rules.setdefault("Coverage", (np.greater, None))
+        all_arrays, others = self._attributes_of(image), self._attributes_of(part)
+        for array, (is_better, _) in rules.items():
             take_better(all_arrays, others, array, is_better)
-        are_inside = {"Inside": lambda values: values != 0, name: None,
-                      "SignedDistance": lambda values: values < 0}
-        are_inside[name] = lambda values: level(values) >= 0
-        for array, is_inside in are_inside.items():
-            if all_arrays.GetArray(array) is not None:
+        for array, (_, is_inside) in rules.items():
+            if is_inside is not None and all_arrays.GetArray(array) is not None:
                 found = vtk_to_numpy(all_arrays.GetArray(array))
                 self.inside_count = int(np.count_nonzero(is_inside(found)))
                 return
