@@ -15,8 +15,8 @@ from vtkmodules.vtkIOXML import (
     vtkXMLImageDataReader, vtkXMLImageDataWriter, vtkXMLPolyDataWriter)
 
 from panels import (
-    INK, SHELL, SMOOTH, VOXEL_EDGES, VOXELS, actor_of, in_colors_of, mesh_actors, read, read_surface, smooth_shaded,
-    two_sided, write_picture)
+    INK, SHELL, SMOOTH, VOXEL_EDGES, VOXELS, actor_of, in_colors_of, mesh_actors, read,
+    read_surface, smooth_shaded, two_sided, write_picture)
 
 ROCKS = [(0.94, 0.89, 0.76), (0.80, 0.62, 0.42), (0.55, 0.42, 0.36)]
 BLOCK = (0, 2, -1, 0.6, 0, 2)

@@ -255,7 +255,8 @@ def write_png(pixels, path):
     colors = (palette.GetTableValue(i)[:3] for i in range(palette.GetNumberOfTableValues()))
 
     def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        return b"".join([struct.pack(">I", len(data)), kind, data,
+                         struct.pack(">I", zlib.crc32(kind + data))])
 
     with open(path, "wb") as file:
         file.write(b"\x89PNG\r\n\x1a\n")

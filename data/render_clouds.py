@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws an uneven cloud, points of a mesh, and the surfaces that `winding` makes of it with one area for all
-points, with Voronoi areas, and of the mesh that the points are of, side by side, into one PNG.
+"""Draws an uneven cloud, points of a mesh, and the surfaces that `winding` makes of it with one
+area for all points, with Voronoi areas, and of the mesh that the points are of, side by side, into
+one PNG.
 
 Wants VTK's Python modules (Debian: python3-vtk9) and a display (without one: xvfb-run).
 """
@@ -23,7 +24,8 @@ RESOLUTION = 128
 
 
 def cloud_of(mesh, sparser):
-    """The vertices of a mesh with their normals: all of the upper third, of the rest one in so many."""
+    """The vertices of a mesh with their normals: all of the upper third, of the rest one in so
+    many."""
     with_normals = vtkPolyDataNormals()
     with_normals.SetInputData(mesh)
     with_normals.SplittingOff()

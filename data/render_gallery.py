@@ -91,7 +91,8 @@ def draw_overlap(winding, source, picture):
         ("Input: two solids that overlap", [actor_of(smooth_shaded(mesh), SHELL)]),
         ("By ray parity, cut open", cut_open(by_parity, plane, SWOLLEN)),
         ("By winding number, cut open", cut_open(surface, plane, SMOOTH)),
-        ("Winding number w", [*slice_actors(field, plane, OVERLAP_COLORS), line_actor(surface, plane)]),
+        ("Winding number w", [*slice_actors(field, plane, OVERLAP_COLORS),
+                              line_actor(surface, plane)]),
     ]
     write_picture([[(*panel, bounds) for panel in panels]], picture)
 

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The picture of sharp surfaces in docs/guide.md: a machine part, smooth and sharp, and its error."""
+"""The picture of sharp surfaces in docs/guide.md: a machine part, smooth and sharp, and its
+error."""
 
 import math
 

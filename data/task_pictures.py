@@ -38,7 +38,8 @@ def output_of(filter_, *inputs):
 
 
 def soup_of(mesh):
-    """Some thousand triangles of the mesh, each by itself: moved a little, and one in four missing."""
+    """Some thousand triangles of the mesh, each by itself: moved a little, and one in four
+    missing."""
     decimation = vtkQuadricDecimation()
     decimation.SetTargetReduction(0.9)
     coarse = output_of(decimation, mesh)
@@ -140,7 +141,8 @@ def draw_distance(winding, source, picture):
     panels = [
         ("Input: a mesh with holes", mesh_actors(mesh)),
         ("Signed distance, in steps of 0.05",
-         [*slice_actors(field, plane, DISTANCE_COLORS, "SignedDistance"), line_actor(lines, plane)]),
+         [*slice_actors(field, plane, DISTANCE_COLORS, "SignedDistance"),
+          line_actor(lines, plane)]),
         ("0.04 outside", [actor_of(smooth_shaded(outward), SWOLLEN)]),
         ("0.04 inside", [actor_of(smooth_shaded(inward), SMOOTH), ghost_of(mesh)]),
     ]
@@ -148,7 +150,8 @@ def draw_distance(winding, source, picture):
 
 
 def block_of_tetrahedra(bounds, cells):
-    """A volume mesh over the bounds, with so many cubes along the longest side cut in tetrahedra each."""
+    """A volume mesh over the bounds, with so many cubes along the longest side cut in tetrahedra
+    each."""
     sides = [bounds[2 * axis + 1] - bounds[2 * axis] for axis in range(3)]
     step = max(sides) / cells
     image = vtkImageData()
@@ -175,7 +178,8 @@ def draw_clip(winding, source, picture):
     bounds, plane = mesh.GetBounds(), middle_plane(mesh)
     block = block_of_tetrahedra(bounds, 28)
     kept = winding.probe(source, block, "--extract")
-    # The same as vtkClipDataSet makes with vtkImplicitWindingNumber: it asks that at the points, too.
+    # The same as vtkClipDataSet makes with vtkImplicitWindingNumber: it asks that at the points,
+    # too.
     probed = winding.probe(source, block, "--distance")
     by_winding = clipped(probed, "WindingNumber", 0.5)
     by_distance = clipped(probed, "SignedDistance", 0, inside_out=True)

@@ -19,7 +19,8 @@ class Winding:
         self.program, self.folder = program, folder
 
     def run(self, command, source, suffix, *options):
-        """The name of the file that the program made; the next one of the same kind takes its place."""
+        """The name of the file that the program made; the next one of the same kind takes its
+        place."""
         result = os.path.join(self.folder, "result" + suffix)
         arguments = [command, source, *options, "-o", result, "--quiet"]
         subprocess.run([self.program, *map(str, arguments)], check=True)

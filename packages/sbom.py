@@ -7,8 +7,8 @@ Usage: sbom.py <folder of the release> <version> <folder of the builds>
 
 Headers are the ones that ninja has recorded for the builds, libraries the ones that dpkg-shlibdeps
 found, that the wheels contain, or that they ask pip for. Versions are dpkg's, and those that the
-unpacked ParaView and VTK SDK have in their own documents; a package that is needed and not installed
-has the version that is asked for. Licences alone are listed by hand.
+unpacked ParaView and VTK SDK have in their own documents; a package that is needed and not
+installed has the version that is asked for. Licences alone are listed by hand.
 """
 
 import datetime
@@ -53,7 +53,8 @@ def unpacked_paraview(sdk):
 def unpacked_vtk(sdk):
     """The name, the version and the reference of the wheel with VTK's headers."""
     metadata = email.message_from_string(next(sdk.glob("*.dist-info/METADATA")).read_text())
-    return metadata["Name"], metadata["Version"], f"pkg:pypi/{metadata['Name']}@{metadata['Version']}"
+    name, version = metadata["Name"], metadata["Version"]
+    return name, version, f"pkg:pypi/{name}@{version}"
 
 
 UNPACKED = {"paraview-sdk": unpacked_paraview, "vtk-sdk": unpacked_vtk}

@@ -1,13 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The bunny with holes in ParaView: a slice of its winding number, half of the surface w = 0.5, and the
-box of the field.
+"""The bunny with holes in ParaView: a slice of its winding number, half of the surface w = 0.5, and
+the box of the field.
 
     ./dev build paraview && data/fetch_bunny.sh
-    xvfb-run -a build/paraview-sdk/usr/bin/pvpython data/examples/bunny_paraview.py --picture bunny.png
+    xvfb-run -a build/paraview-sdk/usr/bin/pvpython \\
+        data/examples/bunny_paraview.py --picture bunny.png
 
---state FILE.pvsm saves the scene for ParaView's window; with neither, nothing is drawn and no display
-is needed. In a Python shell of ParaView, show(make(mesh)) puts the scene into the active view.
+--state FILE.pvsm saves the scene for ParaView's window; with neither, nothing is drawn and no
+display is needed. In a Python shell of ParaView, show(make(mesh)) puts the scene into the active
+view.
 """
 import argparse
 import pathlib
@@ -90,13 +92,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.partition("\n\n")[0])
     parser.add_argument("mesh", nargs="?", default=ROOT / "build/data/bunny_holes.off",
                         help="any format that ParaView reads (build/data/bunny_holes.off)")
-    parser.add_argument("--plugin", default=default_plugin(), help="WindingNumbers.so (that of ./dev)")
+    parser.add_argument("--plugin", default=default_plugin(),
+                        help="WindingNumbers.so (that of ./dev)")
     parser.add_argument("--resolution", type=int, default=96, help="voxels along the longest side")
     parser.add_argument("--picture", help="the .png to write; this needs a display")
     parser.add_argument("--state", help="the .pvsm to write; this needs a display")
     arguments = parser.parse_args()
     if not arguments.plugin:
-        parser.error("there is no plugin: build it with ./dev build paraview, or name it with --plugin")
+        parser.error("there is no plugin: build it with ./dev build paraview, or name it with "
+                     "--plugin")
 
     simple.LoadPlugin(str(arguments.plugin), remote=False)
     scene = make(arguments.mesh, arguments.resolution)

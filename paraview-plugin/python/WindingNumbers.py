@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Winding numbers in ParaView, without a compiler: Tools > Manage Plugins > Load New, then this file.
+"""Winding numbers in ParaView, without a compiler: Tools > Manage Plugins > Load New, then this
+file.
 
 The folders next to this file belong to it: icons, xml, vtkwinding, winding_paraview. On a server it
 is loaded there, too, from a folder that all ranks can read.

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Winding numbers of surfaces that need not be closed, and of oriented points.
 
-For NumPy arrays there is Field, which is built once and asked often, and functions for one question:
-winding_number(), contains(), signed_distance(), field() and surface() (see vtkwinding.fields and
-vtkwinding.arrays). They need NumPy alone. For meshes of PyVista there is mesh.winding (see
-vtkwinding.accessor). The filters of VTK, such as vtkWindingNumberField, are a package of their own,
-vtkwinding_native.
+For NumPy arrays there is Field, which is built once and asked often, and functions for one
+question: winding_number(), contains(), signed_distance(), field() and surface() (see
+vtkwinding.fields and vtkwinding.arrays). They need NumPy alone. For meshes of PyVista there is
+mesh.winding (see vtkwinding.accessor). The filters of VTK, such as vtkWindingNumberField, are a
+package of their own, vtkwinding_native.
 """
 
 from ._booleans import boolean

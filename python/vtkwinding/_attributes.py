@@ -13,8 +13,8 @@ from ._sources import KINDS, source_of
 from .fields import find_places
 
 NUMBERS = "winding number in data set"  # as the filters name them
-_KINDS = ("surfaces and clouds have no common nearest cells: take inputs of one kind, or leave them "
-          "out (transfer_attributes=False, nearest_cells=False)")
+_KINDS = ("surfaces and clouds have no common nearest cells: take inputs of one kind, or leave "
+          "them out (transfer_attributes=False, nearest_cells=False)")
 _PASSED_OVER = {"vtkGhostType", NUMBERS, "vtkOriginalCellIds", "vtkOriginalPointIds"}
 
 
@@ -44,7 +44,8 @@ class Attributes:
     composite data 'NearestBlock'. The other options are as in source_of(), the options of fields
     as the library has them, and a function for notes."""
 
-    def __init__(self, data, options, *, transfer, numbers, threads=0, note=_library.warn, **arrays):
+    def __init__(self, data, options, *, transfer, numbers, threads=0, note=_library.warn,
+                 **arrays):
         try:
             self._source = source_of(numbered(data) if numbers else data, **arrays)
         except WindingError as error:

@@ -52,12 +52,13 @@ def check_grid(grid, name):
     types, count = _datasets.cell_types_of(grid), grid.GetNumberOfCells()
     _check_ids(grid, grid.GetCells(), 0, name)
     if len(types) < count:
-        raise WindingError(f"mend the data set: {name} has {count} cells but types for {len(types)}")
+        raise WindingError(f"mend the data set: {name} has {count} cells but types for "
+                           f"{len(types)}")
     types = types[:count]
     unknown = np.flatnonzero(_datasets.dimensions_of(types) < 0)
     if unknown.size:
-        raise WindingError(f"cell {unknown[0]} of {name} has unknown type {types[unknown[0]]}: use a "
-                           "VTK that knows it, or leave these cells out")
+        raise WindingError(f"cell {unknown[0]} of {name} has unknown type {types[unknown[0]]}: use "
+                           "a VTK that knows it, or leave these cells out")
     sizes = np.diff(_datasets.cells_of(grid, grid.GetCells())[1])
     for kind in np.unique(types).tolist():
         cells = np.flatnonzero(types == kind)
@@ -101,11 +102,11 @@ def _check_polyhedra(grid, cells, name):
         faces = faces_of_stream(stream)
         if not faces:
             raise WindingError(
-                f"cell {cell} of {name} is a polyhedron without faces: read it with a newer VTK, if "
-                "one has written it, or give it faces")
+                f"cell {cell} of {name} is a polyhedron without faces: read it with a newer VTK, "
+                "if one has written it, or give it faces")
         own = set(corners[offsets[cell]:offsets[cell + 1]].tolist())
         for face in faces:
             other = [corner for corner in face if corner not in own]
             if other:
-                raise WindingError(f"mend the data set: cell {cell} of {name} is a polyhedron with a "
-                                   f"face at point {other[0]}, which is none of its points")
+                raise WindingError(f"mend the data set: cell {cell} of {name} is a polyhedron with "
+                                   f"a face at point {other[0]}, which is none of its points")

@@ -332,8 +332,8 @@ def call(name, *arguments, threads=0, longest_expected_time=0, note=None, words=
     """Calls a function of the library with its arguments, the refusal excepted.
 
     RUN stands for the run among them. Refused input is raised as WindingError. Warnings are warned
-    of as WindingWarning when they come, or go to note(text). Messages have the words of Python or of
-    ParaView. Where show(share) is true for the share of work that is done, the work ends, and
+    of as WindingWarning when they come, or go to note(text). Messages have the words of Python or
+    of ParaView. Where show(share) is true for the share of work that is done, the work ends, and
     WindingInterrupted is raised. In the main thread Ctrl-C ends the work within a fraction of a
     second, and raises KeyboardInterrupt."""
     refusal = Refusal()

@@ -104,7 +104,8 @@ def grid_of_image(image, at_cells, skew=_MOST_SKEW, are_voxels=False):
         counts = np.maximum(counts - 1, 1)
     # A layer of points has no thickness, and one of voxels may have none.
     widest = max((step for step, count in zip(steps, counts) if count > 1), default=0)
-    steps = np.where((counts == 1) & ~(are_voxels & (steps > 0)), widest if widest > 0 else 1, steps)
+    steps = np.where((counts == 1) & ~(are_voxels & (steps > 0)), widest if widest > 0 else 1,
+                     steps)
     if not (np.isfinite(first).all() and np.isfinite(steps).all() and (steps > 0).all()):
         return None, None
     return _library.Grid(tuple(first), tuple(steps), tuple(int(count) for count in counts)), frame

@@ -22,7 +22,8 @@ from ._outward import inward_polygons
 from .fields import Field
 
 # Options of fields that are no arrays, as Field has them.
-DEFAULTS = {name: parameter.default for name, parameter in inspect.signature(Field).parameters.items()
+DEFAULTS = {name: parameter.default
+            for name, parameter in inspect.signature(Field).parameters.items()
             if parameter.kind is parameter.KEYWORD_ONLY and name not in ("normals", "areas")}
 
 KINDS = "take blocks or files of one kind: the source mixes surfaces and point clouds"
@@ -34,11 +35,12 @@ _OWNERS = "Winding.Numbers"
 
 
 class Leaf(NamedTuple):
-    """A data set of a source: its points with what belongs to them, and its polygons if it has some.
+    """A data set of a source: its points with what belongs to them, and its polygons if it has
+    some.
 
     `data` has the points and polygons: the data set itself, or its outer surface. `rows` are the
-    points of it that are taken, and `cells` the cell of it that each polygon is. `block` is the flat
-    index of the data set in composite data, else 0."""
+    points of it that are taken, and `cells` the cell of it that each polygon is. `block` is the
+    flat index of the data set in composite data, else 0."""
 
     data: object
     points: np.ndarray
@@ -144,8 +146,8 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
         to_read = [(name, leaf) for name, leaf in to_read if name not in of_lines]
     for name, leaf in to_read:
         if not leaf.IsA("vtkPointSet"):
-            raise WindingError(f"{name} is a {leaf.GetClassName()}, no surface or points: extract a "
-                               "surface first, as by Contour")
+            raise WindingError(f"{name} is a {leaf.GetClassName()}, no surface or points: extract "
+                               "a surface first, as by Contour")
         if leaf.GetNumberOfPoints() == 0:
             continue
         if not leaf.IsA("vtkPolyData"):
@@ -276,8 +278,8 @@ def framed(parts, frame):
 
 
 def _outer_surface(mesh, surface_cells, keeps_points):
-    """Returns the polydata that bounds a mesh with faces, how many cells it leaves out, and how many
-    it turns. The former are two numbers: loose cells, and cells of the other kind. With
+    """Returns the polydata that bounds a mesh with faces, how many cells it leaves out, and how
+    many it turns. The former are two numbers: loose cells, and cells of the other kind. With
     `keeps_points` curved faces are divided at their own points only."""
     if mesh.IsA("vtkPolyData"):
         return mesh, (mesh.GetNumberOfVerts() + mesh.GetNumberOfLines(), 0, 0)

@@ -6,10 +6,10 @@ The mesh may be a surface, which need not be closed, a cloud of points with norm
 which counts through its outer surface, or a MultiBlock of these, whose blocks are one source. Where
 values are asked for at its points or cells, it may be any mesh.
 
-Methods that compute winding numbers take the options of vtkwinding.arrays. The options normals_array
-and areas_array name the point arrays with the normals of a cloud, where these are not the active
-ones, and with its areas, where these are known. Methods return copies, and name arrays as PyVista
-does. What a filter refuses is a WindingError, which is a RuntimeError.
+Methods that compute winding numbers take the options of vtkwinding.arrays. The options
+normals_array and areas_array name the point arrays with the normals of a cloud, where these are not
+the active ones, and with its areas, where these are known. Methods return copies, and name arrays
+as PyVista does. What a filter refuses is a WindingError, which is a RuntimeError.
 """
 
 from __future__ import annotations
@@ -261,7 +261,8 @@ class WindingAccessor:
                              rounding_func: Callable[[np.ndarray], ArrayLike] | None = None,
                              cell_length_percentile: float | None = None,
                              cell_length_sample_size: int | None = None, coverage: str = "center",
-                             progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.ImageData:
+                             progress_bar: bool = False,
+                             **options: Unpack[SourceOptions]) -> pv.ImageData:
         """Returns ImageData with the point array 'mask', as DataSetFilters.voxelize_binary_mask
         makes it.
 
@@ -293,7 +294,8 @@ class WindingAccessor:
                  rounding_func: Callable[[np.ndarray], ArrayLike] | None = None,
                  cell_length_percentile: float | None = None,
                  cell_length_sample_size: int | None = None, coverage: str = "center",
-                 progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.UnstructuredGrid:
+                 progress_bar: bool = False,
+                 **options: Unpack[SourceOptions]) -> pv.UnstructuredGrid:
         """Returns UnstructuredGrid of the voxels inside, as DataSetFilters.voxelize makes it.
 
         As there, dimensions count the points of the voxels, one more than there are voxels.
@@ -309,7 +311,8 @@ class WindingAccessor:
             cell_length_sample_size=cell_length_sample_size, coverage=coverage,
             progress_bar=progress_bar, **options)
         if not hasattr(mask, "points_to_cells"):
-            raise WindingError("voxelize() needs PyVista 0.45 or newer: take voxelize_binary_mask()")
+            raise WindingError("voxelize() needs PyVista 0.45 or newer: take "
+                               "voxelize_binary_mask()")
         cells = mask.points_to_cells(dimensionality="3D", copy=False).threshold(0.5)
         del cells.cell_data["mask"]
         return cells
@@ -326,9 +329,9 @@ class WindingAccessor:
         """Returns the surface w = threshold, closed over holes: PolyData of triangles.
 
         The grid is that of field(). features: 'smooth'; 'sharp', which keeps edges and corners; or
-        'voxels', the sides of voxels. The last two have normals of their faces, not of their points.
-        close_border closes the surface where bounds cut it off. distance_to_input adds the point
-        array 'DistanceToInput', as active scalars: distances from this mesh.
+        'voxels', the sides of voxels. The last two have normals of their faces, not of their
+        points. close_border closes the surface where bounds cut it off. distance_to_input adds the
+        point array 'DistanceToInput', as active scalars: distances from this mesh.
 
         fill_cavities makes inside what the outside does not reach. offset is the length by which
         the surface moves outward, inward if negative. shell is the thickness of the shell that
@@ -343,8 +346,8 @@ class WindingAccessor:
             faces what the cell nearest to their middle has. Floats and colours are interpolated; of
             other arrays, such as labels, the nearest corner's value is taken.
         nearest_cells : bool
-            Whether points and faces get 'NearestCell', the id of the cell, or point of a cloud, that
-            is nearest, and for a MultiBlock 'NearestBlock', the flat index of its block.
+            Whether points and faces get 'NearestCell', the id of the cell, or point of a cloud,
+            that is nearest, and for a MultiBlock 'NearestBlock', the flat index of its block.
         """
         _check_source("the mesh", self._mesh)
         shape, reach = _options.shape(fill_cavities, offset, shell, shell_side)
@@ -554,7 +557,8 @@ class WindingAccessor:
 
     @_with_options
     def signed_distance(self, surface: pv.DataObject, *, inplace: bool = False,
-                        progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.DataObject:
+                        progress_bar: bool = False,
+                        **options: Unpack[SourceOptions]) -> pv.DataObject:
         """Returns a copy with the point array 'implicit_distance': distances to a surface, negative
         inside.
 
@@ -601,8 +605,8 @@ class WindingAccessor:
         leaves = [leaf for leaf in _leaves(copy) if isinstance(leaf, pv.DataSet)]
         cells = _cells.all_cells_of(leaves)
         if cells.curved:
-            _library.warn(f"{cells.curved} of {len(cells.types)} cells have curved faces; fractions "
-                          "take them as straight between corners")
+            _library.warn(f"{cells.curved} of {len(cells.types)} cells have curved faces; "
+                          "fractions take them as straight between corners")
         with bar(progress_bar, "Computing fractions") as show:
             fractions = field.fractions_of(
                 cells.points, cells.types, cells.corners, cells.offsets, sides, show=show)
@@ -618,13 +622,13 @@ class WindingAccessor:
         """Returns the solid that each voxel of a grid is in: ImageData with the array 'Label', 0
         outside.
 
-        The solids are the blocks of a MultiBlock, with the labels 1, 2, ... by their places, else the
-        values of the cell array `scalars`, which are the labels themselves if they are integers of
-        1 to 65535, or the bodies that the mesh has; bodies that cell arrays 'ObjectIds', 'SolidIds',
-        'GroupIds' or 'MaterialIds' name alike, with 'ObjectNames' and so on in the field data, are
-        one. The field data of the result has 'LabelNames' and 'LabelValues'. The grid is that of
-        field(). overlap: 'first', 'last', 'largest' (winding number) or 'smallest' (volume) wins.
-        coverage: 'center', 'any' or 'fraction' (half) of a voxel has to be inside.
+        The solids are the blocks of a MultiBlock, with the labels 1, 2, ... by their places, else
+        the values of the cell array `scalars`, which are the labels themselves if they are integers
+        of 1 to 65535, or the bodies that the mesh has; bodies that cell arrays 'ObjectIds',
+        'SolidIds', 'GroupIds' or 'MaterialIds' name alike, with 'ObjectNames' and so on in the
+        field data, are one. The field data of the result has 'LabelNames' and 'LabelValues'. The
+        grid is that of field(). overlap: 'first', 'last', 'largest' (winding number) or 'smallest'
+        (volume) wins. coverage: 'center', 'any' or 'fraction' (half) of a voxel has to be inside.
         """
         _check_source("the mesh", self._mesh)
         rule = _options.choice("overlap", overlap, _options.OVERLAPS)
@@ -672,8 +676,8 @@ class WindingAccessor:
             if named is not None:
                 values, names, of_polygons = np.arange(len(its_names)), its_names, named
             elif divides:
-                _library.warn("the file's own names divide solids, which are parts by connectivity: "
-                              f"label what has names (scalars='{divides}Ids')")
+                _library.warn("the file's own names divide solids, which are parts by "
+                              f"connectivity: label what has names (scalars='{divides}Ids')")
         else:
             array = source.leaves[0].cell_array(_options.text("scalars", scalars))
             if array.ndim != 1:
@@ -720,9 +724,9 @@ class WindingAccessor:
                     weld_tolerance=weld_tolerance, notes=own)
                 notes = own + notes
                 polygons = _library.polygons_of(corners, offsets)
-            return fields.report_of(points, polygons, source.normals, show=show, notes=notes, counts={
-                                        "turned_cells": source.turned_cells,
-                                        "left_out_cells": source.left_out_cells})
+            return fields.report_of(points, polygons, source.normals, show=show, notes=notes,
+                                    counts={"turned_cells": source.turned_cells,
+                                            "left_out_cells": source.left_out_cells})
 
     def fix_orientation(self, *, surface_cells: bool = False, weld_tolerance: float = 0,
                         progress_bar: bool = False) -> pv.PolyData:

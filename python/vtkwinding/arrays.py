@@ -36,7 +36,8 @@ from .fields import BoolArray, Field, FloatArray, Grid, IdArray
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-_OPTIONS = {name: parameter.default for name, parameter in inspect.signature(Field).parameters.items()
+_OPTIONS = {name: parameter.default
+            for name, parameter in inspect.signature(Field).parameters.items()
             if parameter.kind is parameter.KEYWORD_ONLY and name not in ("normals", "areas")}
 _with_options = spelled_out(FieldOptions, _OPTIONS)
 

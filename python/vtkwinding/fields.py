@@ -74,7 +74,8 @@ class Places(NamedTuple):
 
     nearest : (N,) ints
         The face or point that is nearest to each sample; -1 for samples that are NaN or infinite,
-        and where there is nothing. Of those that are equally near, up to rounding, the first counts.
+        and where there is nothing. Of those that are equally near, up to rounding, the first
+        counts.
     corners : (N, 3) ints
         The corners of the face, or the point three times; -1 for none.
     weights : (N, 3) floats
@@ -134,8 +135,8 @@ class Field:
         Planes of symmetry of a source that is one side of them: 'y=0', 'x=0 y=0', or '1 1 0 = 3'
         for x + y = 3. Its mirror images are added.
     flat_base : str, optional
-        Where a flat base closes a surface that is open on one side: 'down', '+x', 'direction x y z',
-        or a plane as 'z=-5'.
+        Where a flat base closes a surface that is open on one side: 'down', '+x', 'direction x y
+        z', or a plane as 'z=-5'.
     sheet_side : str, optional
         The side of open sheets that is inside, as 'down' for what is below a terrain. A half is
         added to w; beyond the rim of the sheet the side is a guess.
@@ -368,10 +369,10 @@ class Field:
 
         For closed surfaces shares times volumes add up to the volume of what is inside. types (C,)
         are VTK's: 10 tetrahedron, 11 voxel, 12 hexahedron, 13 wedge, 14 pyramid, 15 and 16 prisms,
-        42 polyhedron. corners[offsets[i]:offsets[i + 1]] are the ids of cell i; a polyhedron has the
-        number of its faces, then of each face the number of its points and their ids. These are
-        celltypes, cell_connectivity and offset of PyVista's UnstructuredGrid without polyhedra.
-        A cell without volume has 1 or 0, as its middle is inside or not; a polyhedron with a face
+        42 polyhedron. corners[offsets[i]:offsets[i + 1]] are the ids of cell i; a polyhedron has
+        the number of its faces, then of each face the number of its points and their ids. These are
+        celltypes, cell_connectivity and offset of PyVista's UnstructuredGrid without polyhedra. A
+        cell without volume has 1 or 0, as its middle is inside or not; a polyhedron with a face
         that is missing or turned has NaN. Curved cells are refused: give their corners.
         """
         places = _numbers.vectors("points", points, finite=False)
@@ -533,9 +534,9 @@ def labels(fields: list[Field], *, resolution: int | None = None,
     not count.
 
     overlap says which of several solids gives its label: 'first', 'last', 'largest' (winding
-    number) or 'smallest' (volume). coverage: 'center' for voxels whose centre is in a solid,
-    'any' for voxels that it touches, 'fraction' for voxels with half of them in it. The grid is laid
-    out as in Field.field(), over all fields.
+    number) or 'smallest' (volume). coverage: 'center' for voxels whose centre is in a solid, 'any'
+    for voxels that it touches, 'fraction' for voxels with half of them in it. The grid is laid out
+    as in Field.field(), over all fields.
     """
     if isinstance(fields, Field):
         raise TypeError("fields must be a list of Field, not a Field")

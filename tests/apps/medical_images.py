@@ -113,7 +113,8 @@ class MedicalImages(unittest.TestCase):
         affine, voxels = (by_nibabel if of_nifti else by_itk)(folder / like)
         ways = [by_itk] + ([by_nibabel] if ".nii" in output else [])
         # The mesh is in the coordinates of the image's file.
-        places = np.stack(np.meshgrid(*map(np.arange, COUNTS), indexing="ij"), -1) @ affine[:3, :3].T
+        indices = np.stack(np.meshgrid(*map(np.arange, COUNTS), indexing="ij"), -1)
+        places = indices @ affine[:3, :3].T
         places = (places + affine[:3, 3]) * (1 if of_nifti else [-1, -1, 1])
         radii = np.linalg.norm(places - CENTER, axis=-1)
         are_clear = np.abs(radii - 0.995 * RADIUS) > 0.006 * RADIUS  # between faces and sphere

@@ -146,7 +146,8 @@ def check_plain(root, core, folder, known):
             elif included == LIST_OF_OPTIONS or name.parts[0] in known:
                 continue
             elif bracket == '"' and not core.has(included):
-                faults.append(f'filters/{folder}: {path.name} includes "{included}", which it may not')
+                faults.append(
+                    f'filters/{folder}: {path.name} includes "{included}", which it may not')
     faults += [f"filters/{folder}: {circle}: these need each other" for circle in circles(needs)]
     return faults if names else [f"filters/{folder}: there are no sources"]
 
@@ -168,8 +169,10 @@ def check_program(program, core):
 
 
 def check_helpers(root, helpers, core):
-    """Helpers know the core, VTK and lower floors; headers of classes know no helper and no core."""
-    classes = {path.name: path for folder in CLASSES for path in sorted((root / folder).glob("*.h"))}
+    """Helpers know the core, VTK and lower floors; headers of classes know no helper and no
+    core."""
+    classes = {path.name: path
+               for folder in CLASSES for path in sorted((root / folder).glob("*.h"))}
     for path, room in helpers.files:
         for bracket, included in includes_of(path):
             if included.startswith("private/"):
@@ -180,11 +183,13 @@ def check_helpers(root, helpers, core):
     for folder, known in SMALL_HELPERS.items():
         paths = sorted(path for path in (root / folder).iterdir() if path.suffix in (".h", ".cxx"))
         faults += [] if paths else [f"{folder}: there are no sources"]
-        for path, (bracket, included) in ((path, pair) for path in paths for pair in includes_of(path)):
+        for path, (bracket, included) in ((path, pair) for path in paths
+                                          for pair in includes_of(path)):
             first = pathlib.PurePath(included).parts[0]
             if included in classes and included not in MACROS:
                 faults.append(f"{folder}: {path.name} includes the public class header {included}")
-            elif (root / "filters" / first).is_dir() and first not in known and not core.has(included):
+            elif (root / "filters" / first).is_dir() and not (
+                    first in known or core.has(included)):
                 faults.append(f"{folder}: {path.name} includes {included}, which it may not")
     for path in classes.values():
         for bracket, included in includes_of(path):

@@ -31,12 +31,14 @@ def faults_of(subject):
 
 def main(root):
     run = subprocess.run(
-        ["git", "-C", root, "log", "--no-merges", "--format=%h %s", f"{LAST_OF_FORMER_STYLE}..HEAD"],
+        ["git", "-C", root, "log", "--no-merges", "--format=%h %s",
+         f"{LAST_OF_FORMER_STYLE}..HEAD"],
         capture_output=True, text=True)
     if run.returncode != 0:
         print("no history:", run.stderr.strip())
         return SKIPPED
-    assert list(faults_of("Something was done; and more.")) and not list(faults_of("core: sort edges"))
+    assert list(faults_of("Something was done; and more."))
+    assert not list(faults_of("core: sort edges"))
     faults = [f"{line}: {fault}" for line in run.stdout.splitlines()
               for fault in faults_of(line.split(" ", 1)[1])]
     for fault in faults:

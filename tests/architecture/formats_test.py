@@ -43,7 +43,8 @@ def main(root):
     faults = []
     if sorted(panel_suffixes(root / "paraview-plugin/Readers.xml")) != sorted(read):
         faults.append(f"Readers.xml does not have the suffixes {classes}, once each")
-    for name, text in (("README.md", f"It reads `{shown}`"), ("docs/guide.md", f"It reads `{shown}`"),
+    for name, text in (("README.md", f"It reads `{shown}`"),
+                       ("docs/guide.md", f"It reads `{shown}`"),
                        ("docs/guide.md", f"images and grids `{images}`"),
                        ("docs/guide.md", f"| `vtkSourceReader` | `{classes}` ")):
         if text not in " ".join((root / name).read_text().split()):

@@ -23,7 +23,8 @@ def main(root):
                      for path in (root / "filters" / folder).rglob("*")
                      if path.suffix in (".h", ".cxx"))
     faults = [f"{path.relative_to(root)}:{number}: {line.strip()}" for path in sources
-              for number, line in enumerate(path.read_text().splitlines(), 1) if SHARED.search(line)]
+              for number, line in enumerate(path.read_text().splitlines(), 1)
+              if SHARED.search(line)]
     assert sources and SHARED.search("values->GetTuple1(i)") and SHARED.search("a->GetPoint(id(i))")
     assert not SHARED.search("data->GetPoint(i, position)")
     for fault in faults:

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Properties, PrintSelf(), the program, Python and ParaView's panels agree with Options.def.
 
-Usage: options_test.py <root of the repository>. Reads filters/Options.def and the sources, prints one
-line for each fault, and fails if there is any.
+Usage: options_test.py <root of the repository>. Reads filters/Options.def and the sources, prints
+one line for each fault, and fails if there is any.
 """
 
 import ast
@@ -49,14 +49,15 @@ def check_classes(root, options):
         path.read_text() for path in (root / "filters/vtk/private").rglob("*.h"))))
     for option in options:
         name = option.property
-        owners = [text for text in headers.values() if re.search(rf"\bSet{name}\(|Macro\({name}\b", text)]
+        owners = [text for text in headers.values()
+                  if re.search(rf"\bSet{name}\(|Macro\({name}\b", text)]
         if not owners:
             yield f"{name}: no class has Set{name}()"
         if name not in printed:
             yield f"{name}: no PrintSelf() has it"
         for text in owners:
-            found = re.search(rf"^  (?:int|double|vtkTypeBool)\s+{name}(?:\[\d\])? = ([^;]+);", text,
-                              re.MULTILINE)
+            found = re.search(rf"^  (?:int|double|vtkTypeBool)\s+{name}(?:\[\d\])? = ([^;]+);",
+                              text, re.MULTILINE)
             if found is None or name in AMBIGUOUS:
                 continue
             value = found[1].strip("{} ").replace(",", "")
@@ -113,8 +114,8 @@ def check_hash(root, options):
         bodies += re.findall(rf"(?:{HASHED})\(\) const override \{{[^}}]*\}}", text)
         for option in options:
             name = option.property
-            if not re.search(rf"^  (?:vtkSet\w*Macro\({name}\b|(?:virtual )?void Set{name}\()", text,
-                             re.MULTILINE):
+            if not re.search(rf"^  (?:vtkSet\w*Macro\({name}\b|(?:virtual )?void Set{name}\()",
+                             text, re.MULTILINE):
                 continue
             is_found = re.search(rf"this->{name}\b", "".join(bodies)) or re.search(
                 rf"\bGet{name}\(\)", of_source)

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every test has a time limit, so that one that hangs fails instead of holding up all others.
 
-Usage: timeouts_test.py <ctest> <build folder> <configuration>. Prints the tests without a limit, and
-fails if there is any.
+Usage: timeouts_test.py <ctest> <build folder> <configuration>. Prints the tests without a limit,
+and fails if there is any.
 """
 
 import json

@@ -13,8 +13,8 @@ import re
 import sys
 
 COLUMNS = 100
-FOLDERS = ("apps", "data", "filters", "tests")
-SUFFIXES = (".h", ".cxx")
+FOLDERS = ("apps", "data", "filters", "packages", "paraview-plugin", "python", "tests")
+SUFFIXES = (".h", ".cxx", ".py")
 
 # A comment that opens so has its subject in its neighbour, or nowhere.
 OPENING = r"(Of|Those|As|What|That|Than|Nor|Which|With|From|But)"

@@ -164,7 +164,8 @@ def closed_meshes(folder):
 def overlap(meshes, seed):
     """The parts of a random overlap, and the names of their meshes."""
     random = np.random.default_rng(seed)
-    names = [str(name) for name in random.choice(sorted(meshes), random.integers(2, 9), replace=False)]
+    names = [str(name) for name in random.choice(sorted(meshes), random.integers(2, 9),
+                                                 replace=False)]
     parts = []
     for name in names:
         rotation, triangular = np.linalg.qr(random.normal(size=(3, 3)))

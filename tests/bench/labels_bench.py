@@ -46,12 +46,14 @@ def bumpy_sphere(number, radius, center):
     a, b, c, d = row + here, row + SIDES + here, row + SIDES + following, row + following
     last = (SIDES - 2) * SIDES
     top, bottom = np.full_like(here, len(rings)), np.full_like(here, len(rings) + 1)
-    triangles = [(a, b, c), (a, c, d), (top, here, following), (bottom, last + following, last + here)]
+    triangles = [(a, b, c), (a, c, d), (top, here, following),
+                 (bottom, last + following, last + here)]
     return points, np.vstack([np.stack(t, axis=-1).reshape(-1, 3) for t in triangles])
 
 
 def write_stl(path, points, triangles):
-    records = np.zeros(len(triangles), [("normal", "<f4", 3), ("v", "<f4", (3, 3)), ("more", "<u2")])
+    records = np.zeros(len(triangles), [("normal", "<f4", 3), ("v", "<f4", (3, 3)),
+                                        ("more", "<u2")])
     records["v"] = points[triangles]
     with open(path, "wb") as file:
         file.write(bytes(80) + np.uint32(len(triangles)).tobytes())
@@ -101,7 +103,8 @@ def measure(winding, files, resolution, rounds):
 
 def main(winding, rounds=5, resolution=256, *arrangements):
     cores = len(os.sched_getaffinity(0))
-    print(f"{SOLIDS} solids of {2 * SIDES * (SIDES - 1)} triangles, {cores} cores, least of {rounds}")
+    print(f"{SOLIDS} solids of {2 * SIDES * (SIDES - 1)} triangles, {cores} cores, least of "
+          f"{rounds}")
     print("arrangement  voxels         labels s (cpu)   ten fields s (cpu)   ratio (cpu)")
     with tempfile.TemporaryDirectory() as folder:
         for arrangement in arrangements or ("packed", "nested"):

@@ -100,8 +100,9 @@ def main(path):
     mesh = pv.read(path).triangulate()
     print(f"{mesh.n_cells} triangles, {SAMPLES}^3 points, PyVista {pv.__version__}, "
           f"VTK {pv.vtk_version_info}")
-    print(f"import {first_use('numpy; {start}; import vtkwinding'):.3f} s, first use of mesh.winding "
-          f"{first_use('pyvista; m = pyvista.Sphere(); {start}; m.winding.field(resolution=8)'):.3f} s")
+    first_field = "pyvista; m = pyvista.Sphere(); {start}; m.winding.field(resolution=8)"
+    print(f"import {first_use('numpy; {start}; import vtkwinding'):.3f} s, first use of "
+          f"mesh.winding {first_use(first_field):.3f} s")
     peers(np.array(mesh.points, float), np.array(mesh.regular_faces))
     pyvista_methods(mesh)
 

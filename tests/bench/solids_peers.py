@@ -14,8 +14,8 @@ united with itself. 2000 points are counted that are on the wrong side by the wi
 operands, and such that are farther than half a voxel from the result.
 
 offsets: meshes are closed. The distance is 2 % of the longest side, outward and inward. MeshLib's
-offsets have voxels of the same size. CGAL's alpha wrapping, which goes outward only, has an alpha of
-twice that; it is there if `alpha_wrap` (AlphaWrap.cxx) lies next to `winding`.
+offsets have voxels of the same size. CGAL's alpha wrapping, which goes outward only, has an alpha
+of twice that; it is there if `alpha_wrap` (AlphaWrap.cxx) lies next to `winding`.
 
 For each result it prints its edges with other than two faces and the distances of 20 000 points of
 it, evenly distributed, from the exact result, or off the offset: p50, p99 and the largest, in

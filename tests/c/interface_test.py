@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """winding.h still has all that version 1 of the interface had, where programs look for it.
 
-Usage: interface_test.py <winding.h> <compiler of C> [--write]. interface_1.txt holds what programs of
-version 1 rely on: functions and members of structs with their types, constants, and the places of
-members on machines with addresses of 64 bits. What is new may be added; --write adds it once it is released.
+Usage: interface_test.py <winding.h> <compiler of C> [--write]. interface_1.txt holds what programs
+of version 1 rely on: functions and members of structs with their types, constants, and the places
+of members on machines with addresses of 64 bits. What is new may be added; --write adds it once it
+is released.
 """
 
 import pathlib
@@ -44,7 +45,8 @@ def structs_in(text):
 
 
 def places_of(structs, header, compiler):
-    """Lines with the places and sizes of members; and sizes of structs that tell none themselves."""
+    """Lines with the places and sizes of members; and sizes of structs that tell none
+    themselves."""
     lines = []
     for name, members in structs:
         for member, declaration in members.items():

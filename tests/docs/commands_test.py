@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every command of the pages does what it says: those of `winding` are run, on inputs made for that, and
-those that build are checked against the presets, options and commands that there are.
+"""Every command of the pages does what it says: those of `winding` are run, on inputs made for
+that, and those that build are checked against the presets, options and commands that there are.
 
 Usage: commands_test.py <root of the repository> <the program winding>. Prints each command and its
 faults, and fails if there is any.
@@ -21,12 +21,13 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 import inputs  # noqa: E402
 from pages import pages_of  # noqa: E402
 
-# Options of other programs that sentences speak of: of CMake, of ParaView and its examples, of mpirun.
-FOREIGN_OPTIONS = {"--preset", "--install", "--build", "--prefix", "--target", "--picture", "--state",
-                   "--plugin", "--plugins", "--plugin-search-paths", "--bind-to"}
+# Options of other programs that sentences speak of: of CMake, of ParaView and its examples, of
+# mpirun.
+FOREIGN_OPTIONS = {"--preset", "--install", "--build", "--prefix", "--target", "--picture",
+                   "--state", "--plugin", "--plugins", "--plugin-search-paths", "--bind-to"}
 
-# Open MPI starts more ranks than there are cores, and starts them for the superuser, who runs tests in
-# containers. Its plugins leak, and are gone when LeakSanitizer would name them.
+# Open MPI starts more ranks than there are cores, and starts them for the superuser, who runs tests
+# in containers. Its plugins leak, and are gone when LeakSanitizer would name them.
 OF_MPIRUN = {"OMPI_MCA_rmaps_base_oversubscribe": "1",  # Open MPI 4
              "PRTE_MCA_rmaps_default_mapping_policy": ":oversubscribe",  # Open MPI 5 and newer
              "OMPI_ALLOW_RUN_AS_ROOT": "1",
@@ -91,8 +92,10 @@ class Checker:
         for index, word in enumerate(words):
             following = words[index + 1] if index + 1 < len(words) else ""
             if word == "--preset":
-                kind = "test" if program == "ctest" else "build" if "--build" in words else "configure"
-                faults += self.unless(following in self.presets[kind], f"no {kind} preset {following}")
+                kind = ("test" if program == "ctest" else
+                        "build" if "--build" in words else "configure")
+                faults += self.unless(following in self.presets[kind],
+                                      f"no {kind} preset {following}")
             elif word == "-L":
                 labels = re.findall(r"LABELS\s+(\w+)|winding_add_tests\((\w+)", self.lists)
                 known = {label for pair in labels for label in pair}

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page docs/options.md is what filters/Options.def makes of it.
 
-Usage: options_page.py <root of the repository> [--write]. Compares the page with the list, and fails
-if they differ; with --write, writes it anew.
+Usage: options_page.py <root of the repository> [--write]. Compares the page with the list, and
+fails if they differ; with --write, writes it anew.
 """
 
 import pathlib
@@ -55,7 +55,8 @@ def page(root):
     options = {option.name: option for option in options_in(path)}
     text = BEGIN
     # A heading is a comment between empty lines and options.
-    for line in re.findall(r"^(?<=\n\n)// .*(?=\nOPTION)|^OPTION\(\w+", path.read_text(), re.MULTILINE):
+    for line in re.findall(r"^(?<=\n\n)// .*(?=\nOPTION)|^OPTION\(\w+", path.read_text(),
+                           re.MULTILINE):
         if line.startswith("//"):
             text += f"\n## {line[3:]}\n{HEAD}"
         else:

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pages hang together: links, anchors, pictures and the files that they name exist.
 
-Usage: pages_test.py <root of the repository>. Prints one line for each fault, and fails if there is any.
+Usage: pages_test.py <root of the repository>. Prints one line for each fault, and fails if there is
+any.
 """
 
 import pathlib
@@ -74,7 +75,8 @@ def main(root):
 
     for fault in faults:
         print("FAULT", fault)
-    print(f"{len(pages)} pages, {sum(len(page.links()) for page in pages)} links, README {words} words")
+    print(f"{len(pages)} pages, {sum(len(page.links()) for page in pages)} links, README {words} "
+          "words")
     return 1 if faults else 0
 
 

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Doxygen makes the API reference without a warning; of the public headers everything is documented,
-and every function in C has a manual page.
+"""Doxygen makes the API reference without a warning; of the public headers everything is
+documented, and every function in C has a manual page.
 
-Usage: reference_test.py <root of the repository>. Skips, with exit status 77, where there is no Doxygen.
+Usage: reference_test.py <root of the repository>. Skips, with exit status 77, where there is no
+Doxygen.
 """
 
 import pathlib
@@ -31,7 +32,8 @@ def main(root):
         return SKIPPED
     failures = 0
     with tempfile.TemporaryDirectory() as folder:
-        for name, pages in (("Doxyfile", "module"), ("Doxyfile.core", "core"), ("Doxyfile.c", "library")):
+        for name, pages in (("Doxyfile", "module"), ("Doxyfile.core", "core"),
+                            ("Doxyfile.c", "library")):
             text = (pathlib.Path(root) / "docs" / name).read_text(encoding="utf-8")
             run = subprocess.run(["doxygen", "-"], cwd=root, text=True, capture_output=True,
                                  input=f"{text}\nOUTPUT_DIRECTORY = {folder}\n")

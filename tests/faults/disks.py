@@ -64,7 +64,8 @@ def mounted(program, folder, steps):
         for size in limits(needed, steps)[1:]:
             disk = folder / "disk"
             disk.mkdir(exist_ok=True)
-            subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", disk], check=True)
+            subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", disk],
+                           check=True)
             try:
                 winding.put_inputs(disk)
                 job.put(disk, old)
@@ -82,9 +83,9 @@ def mounted(program, folder, steps):
 
 def in_name_space(program, folder, steps):
     """mounted(), by another Python within a mount name space; None where the system has none."""
-    enter = ["unshare", "--mount"] if os.geteuid() == 0 else ["unshare", "--map-root-user", "--mount"]
-    if not shutil.which("unshare") or subprocess.run([*enter, "mount", "-t", "tmpfs", "tmpfs", folder],
-                                                    capture_output=True).returncode:
+    enter = ["unshare", *([] if os.geteuid() == 0 else ["--map-root-user"]), "--mount"]
+    mount = [*enter, "mount", "-t", "tmpfs", "tmpfs", folder]
+    if not shutil.which("unshare") or subprocess.run(mount, capture_output=True).returncode:
         return None
     inner = subprocess.run([*enter, sys.executable, __file__, program, folder, str(steps)],
                            capture_output=True, text=True)

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the program does when the machine and other programs fail it: nothing final is ever partial, no
-old file is lost, no hidden file stays, and every status is one of 0, 1, 2, 3 and 130.
+"""What the program does when the machine and other programs fail it: nothing final is ever partial,
+no old file is lost, no hidden file stays, and every status is one of 0, 1, 2, 3 and 130.
 
 Usage: faults.py <the program winding> <folder of the libraries> [kind…] [--runs N] [--seed S]
 
-Kinds: interrupted, writers, disks, vanishing, allocations; all of them by default. --runs is the number
-of interrupted runs (1000); the other kinds take numbers that go with it, and from 1000 on every
-allocation of five small runs fails once.
+Kinds: interrupted, writers, disks, vanishing, allocations; all of them by default. --runs is the
+number of interrupted runs (1000); the other kinds take numbers that go with it, and from 1000 on
+every allocation of five small runs fails once.
 """
 
 import argparse

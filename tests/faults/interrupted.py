@@ -54,7 +54,8 @@ def one(program, folder, job, old, new, moments, ending, chance):
 
 
 def moments_of(program, folder, job):
-    """The first and the last moment for a signal: most of the loading of the program is left out."""
+    """The first and the last moment for a signal: most of the loading of the program is left
+    out."""
     start = time.monotonic()
     winding.run(program, winding.Job("", "--version"), folder)
     loaded = time.monotonic()

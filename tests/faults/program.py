@@ -198,7 +198,8 @@ def old_and_new(program, job, folder):
 
 
 def require_whole(job, folder, old, new):
-    """Every file is the old one or the new one, whole, and no old one is lost. Whether all are new."""
+    """Every file is the old one or the new one, whole, and no old one is lost. Whether all are
+    new."""
     found = job.files(folder)
     for name, contents in found.items():
         require(contents in (old.get(name), new[name]), name, "is neither the old nor the new file")

@@ -12,7 +12,8 @@ def formats(program, folder):
     """The input in formats that are read in different ways."""
     winding.put_inputs(folder)
     for suffix in ("vtp", "ply", "stl", "obj"):
-        job = winding.Job(f"in.{suffix}", "surface", "in.off", "-o", f"in.{suffix}", "--resolution", 6)
+        job = winding.Job(f"in.{suffix}", "surface", "in.off", "-o", f"in.{suffix}", "--resolution",
+                          6)
         status, errors = winding.run(program, job, folder)
         require(status == winding.DONE, errors)
     return ["in.off", "in.vtp", "in.ply", "in.stl", "in.obj", "queries.csv"]
@@ -22,7 +23,8 @@ def check(program, folder, libraries, **_):
     counts = {}
     for name in formats(program, folder):
         contents = (folder / name).read_bytes()
-        words = (("probe", "in.off", name) if name.endswith(".csv") else ("probe", name, "queries.csv"))
+        words = (("probe", "in.off", name) if name.endswith(".csv")
+                 else ("probe", name, "queries.csv"))
         job = winding.Job("out.csv", *words, "-o", "out.csv", "--quiet")
         for action in ("unlink", "truncate"):
             for opening in range(1, MOST_OPENINGS):
@@ -48,5 +50,6 @@ def check(program, folder, libraries, **_):
             else:
                 raise winding.Fault(f"{name} is opened {MOST_OPENINGS} times and more")
         (folder / name).write_bytes(contents)
-    require(any(key.startswith("unlink: status 2") for key in counts), "nothing has vanished", counts)
+    require(any(key.startswith("unlink: status 2") for key in counts), "nothing has vanished",
+            counts)
     return [f"{count:6}  {key}" for key, count in sorted(counts.items())]

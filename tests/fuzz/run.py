@@ -49,7 +49,8 @@ ENVIRONMENT = {
     **os.environ,
     # Files may promise more memory than there is, which the program is to notice by itself.
     "ASAN_OPTIONS": "allocator_may_return_null=1:max_allocation_size_mb=1024:detect_leaks=1",
-    "LSAN_OPTIONS": f"suppressions={HERE.parent / 'sanitizers' / 'leaks.supp'}:print_suppressions=0",
+    "LSAN_OPTIONS": (
+        f"suppressions={HERE.parent / 'sanitizers' / 'leaks.supp'}:print_suppressions=0"),
     "UBSAN_OPTIONS": "print_stacktrace=1",
 }
 

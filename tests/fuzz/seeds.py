@@ -113,7 +113,8 @@ def ply(points, faces):
         body = b"".join(struct.pack(f"{order}B{len(f)}i", len(f), *f) for f in faces)
         yield form, header(form).encode() + numbers(points, "f", order) + body
         yield f"strips_{form}", (
-            header(form).replace(f"face {len(faces)}", "tristrips 1").replace("uchar", "int").encode()
+            header(form).replace(f"face {len(faces)}", "tristrips 1")
+            .replace("uchar", "int").encode()
             + numbers(points, "f", order)
             + numbers([(len(strips), *strips)], "i", order)
         )

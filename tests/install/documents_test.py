@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The C++ of the documents builds against the installed package, runs, and writes the files that it says.
+"""The C++ of the documents builds against the installed package, runs, and writes the files that it
+says.
 
-A block of code becomes a function of a program that has all blocks of its page, on inputs made for that.
+A block of code becomes a function of a program that has all blocks of its page, on inputs made for
+that.
 """
 
 import re
@@ -53,7 +55,8 @@ def main():
         written = [WRITTEN_FILE.findall(block.code) for block in blocks]
         for block, names in zip(blocks, written):
             if not names:
-                raise SystemExit(f"{block.where}: nothing here writes a file that would show that it works")
+                raise SystemExit(f"{block.where}: nothing here writes a file that would show that "
+                                 "it works")
         names = {name for names in written for name in names}
         for file_name in names:
             (files / file_name).unlink(missing_ok=True)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The programs of data/examples build against the installed package, and the commands of the page there
-make what they say."""
+"""The programs of data/examples build against the installed package, and the commands of the page
+there make what they say."""
 
 import os
 import pathlib
@@ -31,7 +31,8 @@ include("{later}")
 set(Winding_FIND_COMPONENTS Nonsense)
 set(Winding_FIND_REQUIRED_Nonsense TRUE)
 include("{package}/WindingConfig.cmake")
-if(NOT PACKAGE_VERSION_COMPATIBLE OR Winding_FOUND OR NOT Winding_NOT_FOUND_MESSAGE MATCHES ": Nonsense")
+if(NOT PACKAGE_VERSION_COMPATIBLE OR Winding_FOUND
+    OR NOT Winding_NOT_FOUND_MESSAGE MATCHES ": Nonsense")
   message(FATAL_ERROR "'${{PACKAGE_VERSION_COMPATIBLE}}', '${{Winding_NOT_FOUND_MESSAGE}}'")
 endif()
 file(TOUCH "{script.with_name("checked")}")
@@ -82,7 +83,8 @@ def main():
     build_in_c(settings, files)
     check_package_of_c(settings)
     if programs:
-        raise SystemExit(f"no command in {examples / 'README.md'} runs {', '.join(sorted(programs))}")
+        raise SystemExit(
+            f"no command in {examples / 'README.md'} runs {', '.join(sorted(programs))}")
 
 
 main()

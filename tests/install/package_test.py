@@ -83,9 +83,10 @@ def main():
     text = refusal(settings, other, f"-DVTK_DIR={other}")
     require(text, f"and VTK 9.99.0 is in {other}; build it against this one")
 
+    folder = next(settings.prefix.rglob("vtkWinding.pc")).parent
     flags = subprocess.run(
-        ["pkg-config", "--cflags", "--libs", "vtkWinding"], check=True, capture_output=True, text=True,
-        env={**os.environ, "PKG_CONFIG_PATH": str(next(settings.prefix.rglob("vtkWinding.pc")).parent)})
+        ["pkg-config", "--cflags", "--libs", "vtkWinding"], check=True, capture_output=True,
+        text=True, env={**os.environ, "PKG_CONFIG_PATH": str(folder)})
     words = flags.stdout.split()
     folders = [f"-Wl,-rpath,{word[2:]}" for word in words if word.startswith("-L")]
     run("c++", *settings.flags.split(), "-std=c++17", "main.cxx", "-o", "program", *words, *folders,

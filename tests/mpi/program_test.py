@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The program `winding` under mpirun: results are as on one rank, and failures are one line.
 
-Usage: program_test.py <the program winding> <mpirun> <number of ranks> <compare_images>. Prints what
-it runs, and fails at the first fault.
+Usage: program_test.py <the program winding> <mpirun> <number of ranks> <compare_images>. Prints
+what it runs, and fails at the first fault.
 """
 
 import filecmp
@@ -245,7 +245,8 @@ def children_of(process):
 
 
 def test_killed_ranks(runs):
-    """Where one rank dies all do, no file bears its final name, and the next run clears the rest."""
+    """Where one rank dies all do, no file bears its final name, and the next run clears the
+    rest."""
     for output in ("end.vti", "end.pvti"):
         signals = ((signal.SIGKILL, True), (signal.SIGINT, True), (signal.SIGINT, False))
         for signal_number, is_rank in signals if output == "end.vti" else runs.share(signals):

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Debian packages, each unpacked into a root of its own, are whole and work there: the program, a
-C++ project that finds the module, Python, and ParaView, which has the plugin.
+"""The Debian packages, each unpacked into a root of its own, are whole and work there: the program,
+a C++ project that finds the module, Python, and ParaView, which has the plugin.
 
-Usage: packages_test.py <vtk-winding.deb> <paraview-winding.deb> <root of ParaView> <folder for work>
+Usage: packages_test.py <vtk-winding.deb> <paraview-winding.deb> <root of ParaView> <folder for
+work>
 """
 
 import os

@@ -46,7 +46,8 @@ function(vcpkg_cmake_install)
   endif()
 endfunction()
 function(vcpkg_cmake_config_fixup) # it takes the folder away, and its parent unless told otherwise
-  cmake_parse_arguments(PARSE_ARGV 0 arg "DO_NOT_DELETE_PARENT_CONFIG_PATH" "PACKAGE_NAME;CONFIG_PATH" "")
+  cmake_parse_arguments(PARSE_ARGV 0 arg
+    "DO_NOT_DELETE_PARENT_CONFIG_PATH" "PACKAGE_NAME;CONFIG_PATH" "")
   set(folder "${CURRENT_PACKAGES_DIR}/${arg_CONFIG_PATH}")
   if(NOT IS_DIRECTORY "${folder}")
     message(FATAL_ERROR "'${folder}' does not exist")
@@ -57,8 +58,8 @@ function(vcpkg_cmake_config_fixup) # it takes the folder away, and its parent un
   endif()
   file(REMOVE_RECURSE "${folder}")
 endfunction()
-foreach(name check_linkage extract_source_archive cmake_configure copy_pdbs copy_tools fixup_pkgconfig
-    install_copyright)
+foreach(name check_linkage extract_source_archive cmake_configure copy_pdbs copy_tools
+    fixup_pkgconfig install_copyright)
   cmake_language(EVAL CODE
     "function(vcpkg_${name})\\n  message(\\"${name} \\${ARGN}\\")\\nendfunction()")
 endforeach()

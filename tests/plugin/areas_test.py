@@ -25,7 +25,8 @@ class TestAreas(unittest.TestCase):
             # The field finds the same on its own.
             fields = [
                 result(simple.WindingNumberField(Input=cloud, Resolution=11)),
-                result(simple.WindingNumberField(Input=areas, Resolution=11, PointAreaMethod="Array")),
+                result(simple.WindingNumberField(Input=areas, Resolution=11,
+                                                 PointAreaMethod="Array")),
             ]
             values = [field.GetPointData().GetArray("WindingNumber") for field in fields]
             for index in range(values[0].GetNumberOfTuples()):

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The example data/examples/bunny_paraview.py: its pipeline and, where there is a display, its picture."""
+"""The example data/examples/bunny_paraview.py: its pipeline and, where there is a display, its
+picture."""
 import contextlib
 import importlib.util
 import os

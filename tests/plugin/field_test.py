@@ -8,8 +8,8 @@ import unittest
 
 from paraview import servermanager, simple
 
-from support import (errors_of, information, result, run_tests, sphere_points, unit_sphere, value_at,
-                     warnings_of)
+from support import (errors_of, information, result, run_tests, sphere_points, unit_sphere,
+                     value_at, warnings_of)
 
 
 class TestField(unittest.TestCase):
@@ -111,7 +111,8 @@ class TestField(unittest.TestCase):
             AreaArray="Size",
         )
         self.assertAlmostEqual(value_at(result(field), (0, 0, 0)), 1, delta=0.01)
-        self.assertEqual(list(field.GetProperty("NormalsArray").Available), ["Active Normals", "Orientation"])
+        self.assertEqual(list(field.GetProperty("NormalsArray").Available),
+                         ["Active Normals", "Orientation"])
         self.assertEqual(list(field.GetProperty("AreaArray").Available), ["Size"])
 
         # No array named: the active normals, of which there are none.

@@ -28,8 +28,8 @@ PICTURES = pathlib.Path("gui_pictures").resolve()
 SCAN = ROOT / "data" / "examples" / "paraview" / "scan.off"
 
 WINDOW = "pqClientMainWindow"
-# ParaView 5.13 has a reader of its own for .off and asks which one to take, other names for a plugin's
-# menu, and another dialog to find a filter in. ParaView 6 has other colours, too.
+# ParaView 5.13 has a reader of its own for .off and asks which one to take, other names for a
+# plugin's menu, and another dialog to find a filter in. ParaView 6 has other colours, too.
 VERSION = simple.GetParaViewVersion()
 IS_NEW = VERSION >= (5, 13)
 APPLY = f"{WINDOW}/propertiesDock/propertiesPanel/Accept"
@@ -148,7 +148,8 @@ def clicks():
     return ElementTree.tostring(result.root, encoding="unicode")
 
 
-# Inputs for which a filter is refused, as the Python shell makes them: by what the error begins with.
+# Inputs for which a filter is refused, as the Python shell makes them: by what the error begins
+# with.
 REFUSED = {
     "the input is empty": (
         "Winding Number Field",

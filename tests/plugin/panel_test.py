@@ -40,7 +40,8 @@ class TestPanel(unittest.TestCase):
     def test_probe_knows_the_kind_of_its_source_before_it_is_executed(self):
         for source_of_queries in (self.mesh, self.blocks[2]):
             for kind, source in ((1, self.mesh), (2, self.cloud), *self.blocks.items()):
-                with self.subTest(f"{source_of_queries.GetXMLName()}, {source.GetXMLName()}, {kind}"):
+                with self.subTest(f"{source_of_queries.GetXMLName()}, {source.GetXMLName()}, "
+                                  f"{kind}"):
                     probe = simple.WindingNumberProbe(Input=source_of_queries, Source=source)
                     self.assert_kind(probe, kind)
                     probe.SourceAsPoints = 1
@@ -187,7 +188,8 @@ class TestPanel(unittest.TestCase):
             self.assertTrue(shown(proxy, heading) <= {"Input"}, heading)
 
     def test_voxels_of_labels_have_no_threshold(self):
-        for source, has_threshold in (("Field", (True, False, True)), ("Labels", (True, False, False))):
+        for source, has_threshold in (("Field", (True, False, True)),
+                                      ("Labels", (True, False, False))):
             image = getattr(simple, "WindingNumber" + source)(Input=self.mesh, Resolution=8)
             image.UpdatePipeline()
             voxels = simple.WindingNumberVoxels(Input=image)

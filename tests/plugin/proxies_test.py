@@ -244,9 +244,9 @@ ENUMERATIONS = {
     "SourceDistribution": {"Automatic": 0, "Distributed": 1, "Replicated": 2},
 }
 
-# Defaults that differ from the classes': ParaView's lists of arrays name the choice of no
-# array, faults must be seen on their surface, and the voxels inside rather than the box around them,
-# and nobody waits for the eightfold voxels that keep thin parts, or asks for normals of a bare cloud.
+# Defaults that differ from the classes': ParaView's lists of arrays name the choice of no array,
+# faults must be seen on their surface, and the voxels inside rather than the box around them, and
+# nobody waits for the eightfold voxels that keep thin parts, or asks for normals of a bare cloud.
 DEFAULTS_OF_PANELS = {
     "Resolution": "128",
     "NormalsArray": "Active Normals",
@@ -256,8 +256,8 @@ DEFAULTS_OF_PANELS = {
     "EstimateNormals": "1",
 }
 
-# The values that a user interface offers. Those of the threshold and the padding are the usual ones,
-# of which the classes take more.
+# The values that a user interface offers. Those of the threshold and the padding are the usual
+# ones, of which the classes take more.
 RANGES = {
     "FidelitySamples": (0, None),
     "Offset": (None, None),
@@ -443,7 +443,8 @@ class TestProxies(unittest.TestCase):
             }
             iterator = proxy.NewPropertyIterator()
             while not iterator.IsAtEnd():
-                texts[iterator.GetKey()] = iterator.GetProperty().GetDocumentation().GetDescription()
+                documentation = iterator.GetProperty().GetDocumentation()
+                texts[iterator.GetKey()] = documentation.GetDescription()
                 iterator.Next()
             for what, text in texts.items():
                 with self.subTest(f"{name}: {what}"):
@@ -495,7 +496,8 @@ class TestState(unittest.TestCase):
         for second in INPUTS[name] & {"Source", "Others"}:
             inputs[second] = unit_sphere()
         if name == "WindingNumberVoxels":
-            inputs["Input"] = simple.WindingNumberField(Input=inputs["Input"], OutputAssociation="Cells")
+            inputs["Input"] = simple.WindingNumberField(Input=inputs["Input"],
+                                                        OutputAssociation="Cells")
             inputs["Input"].UpdatePipeline()
         proxy = getattr(simple, name)(registrationName="saved", **inputs)
         for member, (value, _) in settable.items():

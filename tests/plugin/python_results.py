@@ -35,7 +35,8 @@ def digest(array):
         return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
     values = np.ascontiguousarray(vtk_to_numpy(array)) if array.GetNumberOfTuples() else (
         np.empty(0))
-    values = values.astype(np.int64) if values.dtype.kind in "iu" and values.itemsize > 2 else values
+    if values.dtype.kind in "iu" and values.itemsize > 2:
+        values = values.astype(np.int64)
     if values.size <= 12:
         return values.tolist()
     return f"{values.dtype} {values.shape} {hashlib.sha256(values.tobytes()).hexdigest()[:16]}"
@@ -144,7 +145,8 @@ def image_of_file(side):
 
 
 def mirrored_image():
-    """A few samples inside of an image that looks into a mirror, with the number of each as share."""
+    """A few samples inside of an image that looks into a mirror, with the number of each as
+    share."""
     image = vtkImageData()
     image.SetDimensions(4, 4, 4)
     image.SetDirectionMatrix(-1, 0, 0, 0, 1, 0, 0, 0, 1)

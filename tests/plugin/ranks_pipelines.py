@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Filters whose source the ranks of a parallel server hold in parts. Runs in pvbatch under mpirun, or
-in pvpython with a server of several ranks. Arguments: a mesh, a folder, and the port of the server if
-there is one. Writes facts for each way to deal the mesh out, those that each rank knows into files of
-its own, the others into one; ranks_test.py compares them."""
+"""Filters whose source the ranks of a parallel server hold in parts. Runs in pvbatch under mpirun,
+or in pvpython with a server of several ranks. Arguments: a mesh, a folder, and the port of the
+server if there is one. Writes facts for each way to deal the mesh out, those that each rank knows
+into files of its own, the others into one; ranks_test.py compares them."""
 import json
 import os
 import sys

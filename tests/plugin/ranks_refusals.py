@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What one of two ranks refuses, or what differs between them, in pvbatch with --sym under mpirun. The
-other rank would wait for ever, so the end is printed by each; python_plugin_test.py looks at it and at
-what is refused."""
+"""What one of two ranks refuses, or what differs between them, in pvbatch with --sym under mpirun.
+The other rank would wait for ever, so the end is printed by each; python_plugin_test.py looks at it
+and at what is refused."""
 import os
 
 from paraview import servermanager, simple

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A source that the ranks of a parallel server hold in parts gives what one rank gives: pvbatch with
-and without --sym, and a server of several ranks with a client."""
+"""A source that the ranks of a parallel server hold in parts gives what one rank gives: pvbatch
+with and without --sym, and a server of several ranks with a client."""
 import collections
 import glob
 import json

@@ -52,7 +52,8 @@ class TestSurfaceReport(unittest.TestCase):
         self.assertEqual(self.count(data, "normals"), 0)
         self.assertEqual(self.count(data, "spacing_max"), 2)
         group = simple.GroupDatasets(Input=[unit_sphere(), unit_sphere(Center=(3, 0, 0))])
-        self.assertEqual(self.count(result(simple.SurfaceReport(Input=group)), "components_edge"), 2)
+        self.assertEqual(self.count(result(simple.SurfaceReport(Input=group)), "components_edge"),
+                         2)
 
     def faults(self, report):
         """The blocks of the second output, by their names."""

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the plugin share. The plugin's file is in the environment variable WINDING_PLUGIN,
-the folder of real meshes in WINDING_SHARED_DATA."""
+"""What the tests of the plugin share. The plugin's file is in the environment variable
+WINDING_PLUGIN, the folder of real meshes in WINDING_SHARED_DATA."""
 import contextlib
 import math
 import os
@@ -25,8 +25,8 @@ def elements_text(smproperty):
 
 
 def lets(decorator, proxy, mode):
-    """Whether a decorator of the property panel, or an expression of decorators, lets its widget be seen,
-    or enabled, by the mode."""
+    """Whether a decorator of the property panel, or an expression of decorators, lets its widget be
+    seen, or enabled, by the mode."""
     if decorator.GetAttribute("type") == "CompositeDecorator":
         return lets(decorator.FindNestedElementByName("Expression"), proxy, mode)
     if decorator.GetName() == "Expression":

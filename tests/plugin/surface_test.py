@@ -46,7 +46,8 @@ class TestSurface(unittest.TestCase):
         warnings = warnings_of(surface)
         self.assertEqual(result(surface).GetNumberOfCells(), 0)
         self.assertEqual(len(warnings), 1)
-        self.assertIn("faces look inward: use Inside Rule: Absolute, or turn the faces", warnings[0])
+        self.assertIn("faces look inward: use Inside Rule: Absolute, or turn the faces",
+                      warnings[0])
 
     def test_panel_shows_the_level_and_no_result_arrays(self):
         surface = simple.WindingNumberSurface(Input=unit_sphere())

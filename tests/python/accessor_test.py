@@ -163,8 +163,9 @@ class AccessorTest(Warned):
                 np.testing.assert_array_equal(shares["WindingNumber"], found["WindingNumber"])
         askew = turned_grid()
         askew.direction_matrix = [[1, 0.1, 0], [0, 1, 0], [0, 0, 1]]
-        np.testing.assert_array_equal(ball().winding.field(reference_volume=askew)["WindingNumber"],
-                                      pv.PolyData(askew.points).winding.sample(ball())["WindingNumber"])
+        np.testing.assert_array_equal(
+            ball().winding.field(reference_volume=askew)["WindingNumber"],
+            pv.PolyData(askew.points).winding.sample(ball())["WindingNumber"])
         self.assertRaisesRegex(vtkwinding.WindingError, "not at right angles", ball().winding.field,
                                reference_volume=askew, coverage="any")
 
@@ -247,7 +248,7 @@ class AccessorTest(Warned):
                 of_points = ball().winding.field(reference_volume=middles, coverage=coverage)
                 np.testing.assert_array_equal(of_cells["Inside"], of_points["Inside"])
                 differ = (of_cells["Inside"] != cells["Inside"]).sum()
-                self.assertGreater(differ, 5)  # measured: 10 of the shares, which are from a half on
+                self.assertGreater(differ, 5)  # measured: 10 shares, which are from a half on
 
     def test_texts_about_space_are_in_that_of_turned_images(self):
         image = turned_grid()
@@ -317,7 +318,8 @@ class AccessorTest(Warned):
             resolution=40, shell=0.2, shell_side="centered")
         self.assertEqual(sheet.n_open_edges, 0)
         # A plate with a round rim: 0.2 + 4 half cylinders + one ball. Measured: 0.2 % less.
-        self.assertAlmostEqual(sheet.volume, 0.2 + 2 * np.pi * 0.01 + 4 / 3 * np.pi * 1e-3, delta=2e-3)
+        self.assertAlmostEqual(sheet.volume, 0.2 + 2 * np.pi * 0.01 + 4 / 3 * np.pi * 1e-3,
+                               delta=2e-3)
 
     def test_sharp_surfaces_keep_edges(self):
         cube = pv.Cube().rotate_vector((1, 2, 3), 40).triangulate()
@@ -560,7 +562,8 @@ class AccessorTest(Warned):
         whole = one.winding.surface(resolution=40).volume
         self.assertAlmostEqual(left.volume + common.volume, whole, delta=0.01 * whole)
         self.assertAlmostEqual(union.volume - other.volume, left.volume, delta=0.01 * whole)
-        further = one.winding.boolean_difference([other, pv.Sphere(radius=0.1, center=(-0.3, 0, 0))], resolution=40)
+        ball_inside = pv.Sphere(radius=0.1, center=(-0.3, 0, 0))
+        further = one.winding.boolean_difference([other, ball_inside], resolution=40)
         self.assertLess(further.volume, left.volume)
         with self.assertRaisesRegex(TypeError, "other must be a surface"):
             one.winding.boolean_union(3)

@@ -406,7 +406,8 @@ class BadInputTest(unittest.TestCase):
         refuses(ValueError, "bounds must be six", bounds=(0, 1))
         refuses(ValueError, "ymin below ymax", bounds=(0, 1, 1, 0, 0, 1))
         refuses(ValueError, "padding must be 0 or more", padding=-1)
-        refuses(vtkwinding.WindingError, "not enough memory: choose larger voxels", resolution=100_000)
+        refuses(vtkwinding.WindingError, "not enough memory: choose larger voxels",
+                resolution=100_000)
         refuses(vtkwinding.WindingError, "too many voxels: choose larger voxels", spacing=1e-12)
         refuses(ValueError, r"spacing\[0\] must be larger", spacing=(1e-12, 1, 1))
         refuses(ValueError, r"spacing\[1\] must be larger", spacing=(1, 1e-320, 1))

@@ -67,9 +67,11 @@ class FieldTest(unittest.TestCase):
         field = Field(CORNERS, CUBE[2:])
         step = 1e-5
         for axis in range(3):
-            ends = np.array([POINTS[0] - np.eye(3)[axis] * step, POINTS[0] + np.eye(3)[axis] * step])
+            ends = np.array([POINTS[0] - np.eye(3)[axis] * step,
+                             POINTS[0] + np.eye(3)[axis] * step])
             low, high = field.winding_number(ends, dtype=float)
-            self.assertAlmostEqual(field.gradient(POINTS[:1])[0, axis], (high - low) / (2 * step), 4)
+            self.assertAlmostEqual(field.gradient(POINTS[:1])[0, axis], (high - low) / (2 * step),
+                                   4)
 
     def test_masks(self):
         field = Field(CORNERS, CUBE)
@@ -110,7 +112,8 @@ class FieldTest(unittest.TestCase):
             vtkwinding.labels(solids, resolution=8)
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            vtkwinding.labels([Field(CORNERS, CUBE), Field(CORNERS + [1, 0, 0], CUBE)], resolution=8)
+            vtkwinding.labels([Field(CORNERS, CUBE), Field(CORNERS + [1, 0, 0], CUBE)],
+                              resolution=8)
         self.assertEqual([str(one.message) for one in caught], [])
 
     def test_reports_have_the_widest_slit(self):

@@ -51,7 +51,8 @@ class ErrorTest(unittest.TestCase):
             with self.assertRaises(vtkwinding.WindingError) as caught:
                 call(CORNERS, CUBE, resolution=100_000)
             self.assertIsInstance(caught.exception, RuntimeError)
-            self.assertRegex(str(caught.exception), r"^not enough memory: choose larger voxels .*[^\n]$")
+            self.assertRegex(str(caught.exception), r"^not enough memory: choose larger voxels "
+                                                    r".*[^\n]$")
 
     def test_each_status_of_the_library_is_raised(self):
         class Library:

@@ -315,7 +315,8 @@ class SourcesTest(unittest.TestCase):
                 _sources.source_of(grid)
         image = vtkImageData()
         image.SetDimensions(3, 3, 3)
-        self.assertRaisesRegex(_sources.WindingError, "is a vtkImageData", _sources.source_of, image)
+        self.assertRaisesRegex(_sources.WindingError, "is a vtkImageData", _sources.source_of,
+                               image)
         both = vtkMultiBlockDataSet()
         both.SetBlock(0, ball())
         both.SetBlock(1, places())

@@ -94,7 +94,8 @@ class PackageTest(unittest.TestCase):
             run = subprocess.run([sys.executable, "-c", "import vtkwinding_native"], cwd=folder,
                                  capture_output=True, text=True, env={"PYTHONPATH": folder})
         self.assertRegex(run.stderr.splitlines()[-1],
-                         r"ImportError: this vtk-winding-native needs VTK 12\.3 .*the one here is 9\.")
+                         r"ImportError: this vtk-winding-native needs VTK 12\.3 .*the one here is "
+                         r"9\.")
 
 
 class ClassesTest(unittest.TestCase):

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the files that the commands and the programs of the documents read, small and always the same.
+"""Makes the files that the commands and the programs of the documents read, small and always the
+same.
 
 Usage: inputs.py <folder>
 """
@@ -101,7 +102,8 @@ def volume_mesh(cells=14):
     def number(i, j, k):
         return i + (cells + 1) * (j + (cells + 1) * k)
 
-    around = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
+    around = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1),
+              (0, 1, 1))
     hexahedra = [" ".join(str(number(i + a, j + b, k + c)) for a, b, c in around)
                  for k in range(cells) for j in range(cells) for i in range(cells)]
     count = len(hexahedra)

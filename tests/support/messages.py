@@ -8,7 +8,8 @@ FOLDER = pathlib.Path(__file__).resolve().parents[1] / "messages"
 
 
 def messages_of(front_end):
-    """The lines of a front end ("C++", "ParaView", "program" or "Python"), by what they are about."""
+    """The lines of a front end ("C++", "ParaView", "program" or "Python"), by what they are
+    about."""
     lines, subject = {}, None
     for line in (FOLDER / "words.txt").read_text().splitlines():
         start = f"  {front_end}: "

@@ -22,7 +22,8 @@ class Option:
 
 
 def options_in(path=ROOT / "filters" / "Options.def"):
-    """All options; of choices by number the constant in C++, the entry in ParaView, and the word."""
+    """All options; of choices by number the constant in C++, the entry in ParaView, and the
+    word."""
     options, text = [], re.sub(r"//.*", "", path.read_text())
     for kind, body in re.findall(r"^(OPTION|CHOICE)\((.*?)\)$", text, re.MULTILINE | re.DOTALL):
         if kind == "OPTION":

@@ -7,7 +7,8 @@ import numpy as np
 
 
 def write(file, points, triangles, kind, parts=1):
-    """Writes PolyData or an UnstructuredGrid, whose parts each have all points and some triangles."""
+    """Writes PolyData or an UnstructuredGrid, whose parts each have all points and some
+    triangles."""
     points = np.asarray(points, float)
     split = np.array_split(np.asarray(triangles, "i8"), parts)
     with h5py.File(file, "w") as root:

@@ -6,9 +6,9 @@ Usage: wheels_test.py <folder of wheels> <folder of builds> <system…>
 
 Looks into each wheel: its size, its licences, what its library exports and which other libraries it
 needs. Then it runs what runs on this machine: the tests of arrays in Python for Linux, on this
-processor and, by qemu, on ARM; and the quick tests of core, files and interface in C for Windows, by
-wine, and for Linux on ARM. A surface of theirs is compared with the one that Linux on this processor
-makes. Prints a table, and fails if any check does.
+processor and, by qemu, on ARM; and the quick tests of core, files and interface in C for Windows,
+by wine, and for Linux on ARM. A surface of theirs is compared with the one that Linux on this
+processor makes. Prints a table, and fails if any check does.
 """
 
 import os
@@ -135,7 +135,8 @@ def surface_of(build, suffix, emulator, environment, folder):
               "solid.off", 48, cwd=folder, env=environment)
     lines = (folder / "solid.off").read_text().splitlines()
     count = int(lines[1].split()[0])
-    return [[float(word) for word in line.split()] for line in lines[2:2 + count]], lines[2 + count:]
+    points = [[float(word) for word in line.split()] for line in lines[2:2 + count]]
+    return points, lines[2 + count:]
 
 
 def run_tests(builds, name, suffix, emulator, more, folder, shares):

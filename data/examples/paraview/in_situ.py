@@ -12,8 +12,8 @@ A simulation in Python adds this script, and hands its surface over:
     bridge.coprocess(time, step, surface, name="hull")
     bridge.finalize()
 
-It writes wet_000001.pvti and so on to the folder datasets: which voxels are inside. The plugin is found
-by PV_PLUGIN_PATH, or in WINDING_PLUGIN.
+It writes wet_000001.pvti and so on to the folder datasets: which voxels are inside. The plugin is
+found by PV_PLUGIN_PATH, or in WINDING_PLUGIN.
 """
 
 import os

@@ -233,8 +233,8 @@ class Algorithm(VTKPythonAlgorithmBase):
 
     @contextlib.contextmanager
     def distinct_warnings(self):
-        """Keeps the warnings of several turns back. At the end each comes once, with how many of the
-        turns it came at unless that is all of them."""
+        """Keeps the warnings of several turns back. At the end each comes once, with how many of
+        the turns it came at unless that is all of them."""
         self._kept_warnings = {}
         try:
             yield
@@ -272,8 +272,8 @@ class Algorithm(VTKPythonAlgorithmBase):
         return bool(is_asked or self.GetAbortExecute())
 
     def call(self, name, *arguments, note=None):
-        """Calls the library in the words of ParaView, with progress, and ends where the filter is to
-        abort."""
+        """Calls the library in the words of ParaView, with progress, and ends where the filter is
+        to abort."""
         start = time.perf_counter()
 
         def show(share):

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the client of ParaView is to do for the plugin: colours of arrays, and reports of filters that
-are read again after each execution."""
+"""What the client of ParaView is to do for the plugin: colours of arrays, and reports of filters
+that are read again after each execution."""
 
 from vtkmodules.vtkCommonCore import vtkCommand
 

@@ -185,8 +185,8 @@ class GridAlgorithm(SourceAlgorithm):
         for connection in self.connections():
             info = connection.GetProducer().GetOutputInformation(connection.GetIndex())
             if info.Has(Pipeline.TIME_RANGE()) and not info.Get(Pipeline.TIME_STEPS()):
-                raise WindingError("the input has a range of times, but no steps: give it steps, or "
-                                   "use Union Over All Times off")
+                raise WindingError("the input has a range of times, but no steps: give it steps, "
+                                   "or use Union Over All Times off")
         return bool(self._times()[0])
 
     def find_bounds_over_all_times(self, out_info, ranks):
@@ -520,8 +520,8 @@ def take_better(all_arrays, others, name, is_better):
 
 
 class ResultArrays:
-    """The arrays of a result, a number for each sample, by what properties ask for. `others` are the
-    names of arrays that the filter adds itself."""
+    """The arrays of a result, a number for each sample, by what properties ask for. `others` are
+    the names of arrays that the filter adds itself."""
 
     def __init__(self, filter, count, *, has_inside, has_coverage=False, others=()):
         get = filter.value
@@ -584,8 +584,8 @@ class WindingNumberField(ImageAlgorithm):
 
     def check_union(self):
         if self.value("GenerateNearestCells"):
-            raise WindingError("nearest cells belong to one time of the input: use Generate Nearest "
-                               "Cells off, or use Union Over All Times off")
+            raise WindingError("nearest cells belong to one time of the input: use Generate "
+                               "Nearest Cells off, or use Union Over All Times off")
 
     def unite_times(self, image, part):
         def level(values):

@@ -93,8 +93,8 @@ class PointAreas(Algorithm):
                 are_finite &= np.isfinite(parts.normals).all(axis=1)
             count = int((~are_finite).sum())
             zero = int((are_unusable & are_finite).sum())
-            self.warn(f"{count + zero} of {len(areas)} points are unusable and have area 0 ({count} "
-                      f"with NaN or infinite values, {zero} with normals of length 0)")
+            self.warn(f"{count + zero} of {len(areas)} points are unusable and have area 0 "
+                      f"({count} with NaN or infinite values, {zero} with normals of length 0)")
 
     def _normals_and_areas(self, parts):
         """Returns estimated normals, or None where there are some, and areas, NaN for none."""

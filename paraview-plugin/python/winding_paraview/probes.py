@@ -262,8 +262,8 @@ class WindingNumberProbe(ProbeAlgorithm):
         """Returns the shares of the cells that are inside, leaf by leaf."""
         cells = _cells.all_cells_of(leaves)
         if cells.curved:
-            self.warn(f"{cells.curved} of {len(cells.types)} cells have curved faces; fractions take "
-                      "them as straight between corners")
+            self.warn(f"{cells.curved} of {len(cells.types)} cells have curved faces; fractions "
+                      "take them as straight between corners")
         points = cells.points if self.frame is None else self.frame.positions(cells.points)
         found = np.empty(len(cells.types), np.float32)
         self.between(0.3, 1)

@@ -47,7 +47,8 @@ class SourceReader(Algorithm):
             self.call("winding_read_columns", path, ctypes.c_char_p(columns.encode()), *rest,
                       note=note)
         else:
-            self.call("winding_read_table", path, int(self._wants("ReadNormalsAndAreas")), *rest, note=note)
+            self.call("winding_read_table", path, int(self._wants("ReadNormalsAndAreas")), *rest,
+                      note=note)
         self._fill(handle, output)
 
     def _wants(self, name):

@@ -173,7 +173,8 @@ class SurfaceReport(Algorithm):
         add_text(output, "advice", self.advice)
         if fixed is not None and report.one_sided_components:
             parts_have = "part has" if report.one_sided_components == 1 else "parts have"
-            self.warn(f"{report.one_sided_components} {parts_have} one side only, and stay as they are")
+            self.warn(f"{report.one_sided_components} {parts_have} one side only, and stay as they "
+                      "are")
 
     def _report_cloud(self, parts, data, fixed, output):
         report, advice = _library.CloudReport(), []
@@ -213,8 +214,8 @@ class SurfaceReport(Algorithm):
     def _fixed_normals(self, source):
         """Returns the leaves with normals turned to agree with their field, and a count."""
         if source.normals is None and len(source.points):
-            raise WindingError("the points have no normals to be turned: use Fix Orientation off, or "
-                               "give normals; the filters estimate them themselves")
+            raise WindingError("the points have no normals to be turned: use Fix Orientation off, "
+                               "or give normals; the filters estimate them themselves")
         points = np.ascontiguousarray(source.points)
         turned = np.zeros(len(points), np.uint8)
         if len(points):

@@ -106,7 +106,8 @@ def _part_of(leaf, chosen):
     used = used[order]
     corners[exist] = np.argsort(order)[places.reshape(-1)]
     corners[~exist] = -1
-    normals, areas = (None if array is None else array[used] for array in (leaf.normals, leaf.areas))
+    normals, areas = (None if array is None else array[used]
+                      for array in (leaf.normals, leaf.areas))
     if normals is not None and not have_directions(normals):
         normals = None  # the faces have directions
     return leaf._replace(
@@ -134,8 +135,8 @@ class Solids:
     def _of_blocks(self, composite):
         blocks = blocks_of(composite)
         if not self._ranks.same(len(blocks)):
-            raise WindingError("give all ranks the same blocks, of which each may have a part: they "
-                               "have different numbers of them")
+            raise WindingError("give all ranks the same blocks, of which each may have a part: "
+                               "they have different numbers of them")
         _check_blocks(blocks, self._options["as_points"])
         found = []
         for number, (name, block) in enumerate(blocks, 1):
@@ -194,7 +195,8 @@ class Solids:
         found = []
         for place, (region, its_name) in enumerate(named.items(), 1):
             if 1 in kinds or self.are_numbered:
-                label = _label(place, f"region '{its_name}'", "choose another offset (Label Offset)")
+                label = _label(place, f"region '{its_name}'",
+                               "choose another offset (Label Offset)")
             else:
                 label = _label(region + offset, f"region {region} of '{name}'",
                                "choose another offset (Label Offset)")
@@ -233,9 +235,9 @@ class Solids:
         count = int(max(np.concatenate(self._ranks.gather(np.array([len(own)])))))
         if count > _MOST:
             raise WindingError(
-                "the surface has too many parts for labels: name an array of regions (Region Array), "
-                f"or close the gaps between triangles; it has {count} by connectivity, and labels "
-                "are 1 to 65535")
+                "the surface has too many parts for labels: name an array of regions (Region "
+                f"Array), or close the gaps between triangles; it has {count} by connectivity, and "
+                "labels are 1 to 65535")
         names = self._ranks.texts(name for name, _, _ in own)
         nothing = [("", Parts(np.empty((0, 3))), False)] * (count - len(own))
         return [Solid(number, name, self._gathered(parts), is_open)
@@ -606,8 +608,9 @@ class WindingNumberLabels(ImageAlgorithm):
         if solids.notes:
             self.warn("; ".join(solids.notes))
         if solids.are_numbered:
-            self.warn("labels are counted from 1, for regions are not all 1 to 65535: choose another "
-                      "offset (Label Offset); names of the labels say which regions they are")
+            self.warn("labels are counted from 1, for regions are not all 1 to 65535: choose "
+                      "another offset (Label Offset); names of the labels say which regions they "
+                      "are")
         if solids.divides:
             self.warn("the file's own names divide solids, which are parts by connectivity: label "
                       f"what has names (Region Array); the names belong to '{solids.divides}Ids'")

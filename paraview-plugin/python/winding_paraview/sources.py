@@ -229,8 +229,8 @@ def gathered(parts, ranks, distribution):
                            "and a point cloud on others")
     is_copy = ranks.same(hash_of(parts.arrays())) and distribution != DISTRIBUTED
     if distribution == REPLICATED and not is_copy:
-        raise WindingError("the source is not replicated: the ranks have different data: use Source "
-                           "Distribution: Automatic")
+        raise WindingError("the source is not replicated: the ranks have different data: use "
+                           "Source Distribution: Automatic")
     if is_copy:
         return parts
     is_surface, is_cloud = (kinds == 1).any(), (kinds == 2).any()
@@ -278,8 +278,8 @@ class SourceAlgorithm(Algorithm):
         """Refuses cells of other ranks, which have no numbers here."""
         if is_asked_for and not (
                 ranks.are_alone or self.value("SourceDistribution") == REPLICATED):
-            raise WindingError("cells of other ranks have no numbers here: use Source Distribution: "
-                               "Replicated, or run one rank")
+            raise WindingError("cells of other ranks have no numbers here: use Source "
+                               "Distribution: Replicated, or run one rank")
 
     def nearest(self, data, *, transfer, numbers):
         """Returns what results take over from a source."""
@@ -380,8 +380,8 @@ class SourceAlgorithm(Algorithm):
         return leaves, [self.values[name] for name in names]
 
     def prepare(self, data, ranks):
-        """Makes the field of a source, unless it is there already. Returns whether it is this rank's
-        to work on."""
+        """Makes the field of a source, unless it is there already. Returns whether it is this
+        rank's to work on."""
         key = self.key_of(data)
         has = key == self.field_key
         self.prepare_seconds = 0.0

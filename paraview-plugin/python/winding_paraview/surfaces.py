@@ -308,8 +308,8 @@ class WindingNumberVoxels(Algorithm):
         if array is None:
             array, of_cells = cells.GetScalars(), True
         if array is None or array.GetNumberOfComponents() != 1:
-            raise WindingError("the image has no scalar array: choose an array (Scalars), or compute "
-                               "one (Winding Number Field); it tells inside from outside")
+            raise WindingError("the image has no scalar array: choose an array (Scalars), or "
+                               "compute one (Winding Number Field); it tells inside from outside")
         return array, of_cells
 
     def _make(self, image, output):
@@ -318,8 +318,9 @@ class WindingNumberVoxels(Algorithm):
         values = np.ascontiguousarray(_datasets.array_of(image, array))
         total = math.prod(counts)
         if len(values) != total:
-            raise WindingError(f"'{array.GetName()}' is no array of points or cells: choose another "
-                               f"array (Scalars); it has {len(values)} values for {total} voxels")
+            raise WindingError(f"'{array.GetName()}' is no array of points or cells: choose "
+                               f"another array (Scalars); it has {len(values)} values for {total} "
+                               "voxels")
         by_label = self.value("ByLabel")
         are_labels = by_label == 1 or (by_label == 2 and self._are_called_labels(array, values))
         voxels = self._labels(array, values) if are_labels else self._sides(values)
@@ -381,8 +382,8 @@ class WindingNumberVoxels(Algorithm):
         if not are_right.all():
             wrong = numbers[np.flatnonzero(~are_right)[0]]
             raise WindingError(
-                f"'{array.GetName()}' is no array of labels: choose another array (Scalars), or use "
-                f"By Label: Off; labels are integers from 0 to 65535, and it has the value "
+                f"'{array.GetName()}' is no array of labels: choose another array (Scalars), or "
+                f"use By Label: Off; labels are integers from 0 to 65535, and it has the value "
                 f"{wrong:f}")
         return values.astype(np.uint16)
 
