@@ -175,7 +175,8 @@ private:
 };
 
 /// Writes the surface that crosses edges, and which samples are inside if so wished. `findRoots`
-/// finds where it crosses; `operands` are numbers of the edges that polygons get, or null.
+/// finds where it crosses; `operands` are numbers of the edges that polygons get, or null. Warns of
+/// a surface that is open at the border of the grid.
 void writeSurface(const Grid& grid, const winding::LevelEdges& edges,
   const std::function<const winding::EdgeRoots&()>& findRoots,
   const std::vector<std::uint32_t>* operands, const winding_surface_options& options, Call& call,
@@ -185,6 +186,10 @@ void writeSurface(const Grid& grid, const winding::LevelEdges& edges,
   {
     mesh.inside.resize(winding::sampleCount(grid.wholeExtent()));
     edges.writeInside(mesh.inside.data(), call.executor);
+  }
+  else if (!options.close_border && edges.size() > 0 && edges.reachesBorder())
+  {
+    call.warn(winding::openResultAdvice());
   }
   const bool areDoubles =
     options.type == 0 ? winding::needsDoublePoints(grid) : options.type == WINDING_FLOAT64;
@@ -433,10 +438,6 @@ winding_status winding_boolean(const winding_field* const* fields, size_t count,
                           ? winding::allInsideAdvice()
                           : winding::emptyResultAdvice(kind != winding::BooleanOperation::unite));
             }
-          }
-          else if (!wished.close_border && !wished.generate_image && result.reachesBorder())
-          {
-            call.warn(winding::openResultAdvice());
           }
         });
     });

@@ -456,11 +456,7 @@ void vtkWindingNumberBoolean::MakeResult(const std::vector<Operand>& operands, v
   {
     vtkWarningMacro(<< winding::lineOf(winding::emptyResultAdvice(this->Operation != UNION)));
   }
-  else if (!this->CloseBorder && !this->GenerateImage && result.size() > 0 &&
-           result.reachesBorder())
-  {
-    vtkWarningMacro(<< winding::lineOf(winding::openResultAdvice()));
-  }
+  this->TellOpen(result);
   this->UpdateProgress(1);
 }
 

@@ -164,6 +164,7 @@ std::shared_ptr<const winding::DistanceTree> vtkWindingNumberSurface::MakeSurfac
       if (shape.isPlain())
       {
         this->MakePolyData(edges, findRoots, nullptr, executor, output);
+        this->TellOpen(edges);
         this->MakeImage(edges, executor);
       }
       else
@@ -175,6 +176,7 @@ std::shared_ptr<const winding::DistanceTree> vtkWindingNumberSurface::MakeSurfac
         this->MakePolyData(
           shaped.edges(), [&]() -> const winding::EdgeRoots& { return shaped.roots(); }, nullptr,
           executor, output);
+        this->TellOpen(shaped.edges());
         this->MakeImage(shaped.edges(), executor);
         this->TellShape(shaped, output);
         surfaceTree = shaped.surfaceTree();

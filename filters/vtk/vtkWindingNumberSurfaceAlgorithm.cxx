@@ -280,6 +280,14 @@ bool vtkWindingNumberSurfaceAlgorithm::TellAllInside(const winding::LevelEdges& 
   return isAllInside;
 }
 
+void vtkWindingNumberSurfaceAlgorithm::TellOpen(const winding::LevelEdges& edges)
+{
+  if (!this->CloseBorder && !this->GenerateImage && edges.size() > 0 && edges.reachesBorder())
+  {
+    vtkWarningMacro(<< this->GetSourcePrefix() << winding::lineOf(winding::openResultAdvice()));
+  }
+}
+
 winding::EdgeRoots vtkWindingNumberSurfaceAlgorithm::FindRoots(const winding::Field& field,
   const winding::LevelEdges& edges, winding::SmpExecutor& executor) const
 {

@@ -205,6 +205,9 @@ protected:
   /// whether it is one.
   bool TellAllInside(const winding::LevelEdges& edges);
 
+  /// Warns of a result that is open at the border of the grid, unless there is an image of it.
+  void TellOpen(const winding::LevelEdges& edges);
+
   /// Finds where the surface of what is inside crosses these edges, with all the normals that the
   /// surface needs, as the rest of the progress.
   winding::EdgeRoots FindRoots(const winding::Field& field, const winding::LevelEdges& edges,

@@ -188,6 +188,24 @@ TEST(LevelSurface, MovesAndBecomesAShell)
   }
 }
 
+TEST(LevelSurface, SaysThatItIsOpenAtTheBorder)
+{
+  const Field field = fieldOf(shapes::cube({0, 0, 0}, {9, 9, 9}));
+  const winding_grid grid = gridAround({-1, -1, -1}, {5, 5, 5}, 8);
+  Warnings told;
+  auto options = with(winding_surface_options_init);
+  const OwnedMesh open = surfaceOf(field, grid, options, &told.run);
+  EXPECT_GT(show(open).polygon_count, 0);
+  ASSERT_EQ(told.texts.size(), 1u);
+  EXPECT_EQ(told.texts[0],
+    "the surface reaches the border of the grid, where it is open: close the "
+    "border (close_border = 1), or choose a larger grid (padding, sampling_bounds)");
+  options.close_border = 1;
+  const OwnedMesh closed = surfaceOf(field, grid, options, &told.run);
+  EXPECT_GT(closedVolumeOf(show(closed)), 1);
+  EXPECT_EQ(told.texts.size(), 1u) << told.texts.back();
+}
+
 TEST(LevelSurface, SaysWhyItIsEmpty)
 {
   const Field field = fieldOf(shapes::cube({-9, -9, -9}, {9, 9, 9}));

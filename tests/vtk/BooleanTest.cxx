@@ -477,7 +477,7 @@ TEST_F(Boolean, IsNotCutOffWhereOperandsReachBeyondTheirSources)
   const ErrorLog log(filter);
   filter->SetOperationToUnion();
   filter->Update();
-  EXPECT_NE(log.warnings().find("the result reaches the border of the grid"), std::string::npos)
+  EXPECT_NE(log.warnings().find("the surface reaches the border of the grid"), std::string::npos)
     << log.warnings();
   filter->CloseBorderOn();
   filter->Update();

@@ -295,12 +295,23 @@ TEST_F(Surfaces, EndAtTheBorderOfTheGridOrAreClosedThere)
 {
   filter->UseInputBoundsOff();
   filter->SetSamplingBounds(-1.1, 1.1, -1.1, 1.1, 0, 1.1);
+  const ErrorLog border(filter);
   vtkPolyData* surface = this->update();
   EXPECT_GT(countEdges(surface).open, 0);
   EXPECT_LT(distances(surface, sphere->GetOutput(), voxelOf(filter)).back(), 1e-3);
+  const std::string isOpen = "the surface reaches the border of the grid, where it is open";
+  EXPECT_NE(border.warnings().find(isOpen), std::string::npos) << border.warnings();
+  // A shell reaches the border where its solid does.
+  filter->SetShell(0.5);
+  const ErrorLog ofShell(filter);
+  EXPECT_GT(countEdges(this->update()).open, 0);
+  EXPECT_NE(ofShell.warnings().find(isOpen), std::string::npos) << ofShell.warnings();
+  filter->SetShell(0);
 
+  const ErrorLog closed(filter);
   filter->CloseBorderOn();
   surface = this->update();
+  EXPECT_EQ(closed.warnings(), "");
   this->expectClosed(surface);
   EXPECT_NEAR(surface->GetBounds()[4], 0, 1e-7) << "on the outer faces of the voxels";
   EXPECT_NEAR(signedVolume(surface), 0.5 * signedVolume(sphere->GetOutput()), 0.05);

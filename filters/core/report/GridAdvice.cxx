@@ -106,7 +106,7 @@ Message emptyResultAdvice(bool mayMiss)
 
 Message openResultAdvice()
 {
-  return Message("the result reaches the border of the grid, where its surface is open",
+  return Message("the surface reaches the border of the grid, where it is open",
     {{"close the border", {{Parameter::closeBorder, 1}}},
       {"choose a larger grid", {Parameter::padding, Parameter::samplingBounds}}});
 }

@@ -40,7 +40,7 @@ Message allInsideAdvice();
 /// they do not meet.
 Message emptyResultAdvice(bool mayMiss);
 
-/// The warning for a result of solids that reaches the border of the grid.
+/// The warning for a surface that is open where it reaches the border of the grid.
 Message openResultAdvice();
 
 /// Returns what to do about the shape of a solid that leaves nothing, that is all of the grid, or
