@@ -21,7 +21,7 @@ FetchContent_Declare(hwy
 set(EIGEN_BUILD_DOC OFF CACHE BOOL "" FORCE)
 set(EIGEN_BUILD_TESTING OFF CACHE BOOL "" FORCE)
 # Eigen 5 refuses a request for 3.4, and an older one is left alone.
-set(eigen_of_system "")
+set(eigen_of_system OVERRIDE_FIND_PACKAGE) # so that find_package() finds what is fetched
 if(NOT FETCHCONTENT_SOURCE_DIR_EIGEN3)
   find_package(Eigen3 3.4 QUIET NO_MODULE)
   if(NOT Eigen3_FOUND)
