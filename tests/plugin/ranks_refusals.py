@@ -84,6 +84,10 @@ for properties in ({"UseInputBounds": 0, "SamplingBounds": [-1, 3, -1, 1, -1, 1]
     simple.WindingNumberField(Input=bad_at_one_time, Resolution=8, **properties).UpdatePipeline(0.0)
 
 other_times = points_of("add_sphere(time)", "0.0, 1.0, 2.0" if rank == 0 else "0.0, 1.0")
-simple.WindingNumberField(
-    Input=other_times, Resolution=8, BoundsOverAllTimes=1).UpdatePipeline(0.0)
+for kind, others in (("Field", {}), ("Surface", {}), ("Boolean", {"Others": [ball]})):
+    refused = getattr(simple, f"WindingNumber{kind}")(
+        Input=other_times, Resolution=8, BoundsOverAllTimes=1, **others)
+    refused.UpdatePipeline(0.0)
+    points = refused.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints()
+    print(f"{points} points of {kind}\n", end="", flush=True)
 print(f"end of rank {rank}\n", end="", flush=True)

@@ -64,6 +64,7 @@ class GridAlgorithm(SourceAlgorithm):
         self.request = None
         self.verification = None
         self._bounds = (None, None)
+        self.information_status = DONE  # how RequestInformation() has ended
         self._bounds_of_times = (None, None)
 
     def GetMaxError(self):
@@ -92,6 +93,13 @@ class GridAlgorithm(SourceAlgorithm):
     def connections(self):
         return [self.GetInputConnection(0, index)
                 for index in range(self.GetNumberOfInputConnections(0))]
+
+    def has_refused_information(self):
+        """Returns whether there is no grid to fill, for RequestInformation() has failed. The status
+        says how then."""
+        if self.information_status != DONE:
+            self.status = self.information_status
+        return self.information_status != DONE
 
     def update_source(self, out_info):
         """Has the source made before anybody asks for this filter's data."""
@@ -309,7 +317,6 @@ class ImageAlgorithm(GridAlgorithm):
 
     def __init__(self):
         super().__init__("vtkImageData", ports=2)
-        self.information_status = DONE
         self.like = None  # the place of the image to lie on, without arrays
         self.swept_samples = None  # bits of samples that were inside at earlier times
 
@@ -477,8 +484,7 @@ class ImageAlgorithm(GridAlgorithm):
         output = vtkImageData.GetData(out_info)
         # The pipeline keeps an image's old arrays to be used again, which these are not.
         output.Initialize()
-        if self.information_status != DONE:
-            self.status = self.information_status
+        if self.has_refused_information():
             return 1
         ranks = Ranks()
         with self.reporting(output, ranks=ranks):

@@ -82,6 +82,7 @@ class SurfaceAlgorithm(GridAlgorithm):
                 of_image.Set(vtkDataObject.ORIGIN(), list(self.grid.origin), 3)
                 of_image.Set(vtkDataObject.SPACING(), list(self.grid.spacing), 3)
                 vtkDataObject.SetPointDataActiveScalarInfo(of_image, VTK_UNSIGNED_CHAR, 1)
+        self.information_status = self.status
         return 1
 
     def RequestData(self, request, inputs, outputs):
@@ -91,6 +92,9 @@ class SurfaceAlgorithm(GridAlgorithm):
         if piece and ranks.are_alone:
             return 1
         image.Initialize()
+        if self.has_refused_information():
+            output.Initialize()
+            return 1
         with self.reporting(output, image, ranks=ranks):
             self.require_same_properties(ranks)
             self.check()
