@@ -452,6 +452,11 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
                         {{"choose another offset", {winding::Parameter::labelOffset}}},
                         "names of the labels say which regions they are"}));
   }
+  if (this->LabelOffset != 0 && count > 0 && !solids.areOffset())
+  {
+    vtkWarningMacro(<< winding::lineOf({"labels are counted from 1, for solids have no numbers",
+                      {{"leave the offset out", {winding::Parameter::labelOffset}}}}));
+  }
   if (!solids.dividingNames().empty())
   {
     vtkWarningMacro(<< winding::lineOf(

@@ -196,6 +196,15 @@ TEST_F(LabelInputs, TextsAreNamesOfRegions)
 {
   const Surfaces balls = fiveBalls();
   const auto expected = made(asAssembly(balls));
+  EXPECT_EQ(warnings.find("counted from 1"), std::string::npos) << warnings;
+  labels->SetLabelOffset(3);
+  EXPECT_EQ(made(asAssembly(balls)), expected) << "blocks have no numbers";
+  EXPECT_NE(warnings.find("labels are counted from 1, for solids have no numbers: leave the offset "
+                          "out (" +
+                          howTo(winding::Parameter::labelOffset) + ")"),
+    std::string::npos)
+    << warnings;
+  labels->SetLabelOffset(0);
   const auto surface = appended(balls);
   vtkNew<vtkStringArray> bones;
   bones->SetName("Bone");
@@ -500,7 +509,7 @@ TEST_F(LabelInputs, WhatGivesNoLabelsIsRefusedInOneLine)
   points->SetPoints(balls[0]->GetPoints());
   blocks->SetBlock(2, points);
   expectRefused(blocks, "leave block 'Block 3' out");
-  expectRefused(points, "give blocks, one for each solid");
+  expectRefused(points, "give blocks or files, one for each solid");
 
   labels->SetRegionArray("Nothing");
   expectRefused(withRegions(balls, 1), "'Nothing' is no array of the cells");

@@ -122,7 +122,7 @@ class Solids:
         self._filter, self._ranks = filter, ranks
         self._options = filter.source_options()
         self.notes = []
-        self.divides, self.are_numbered = None, False
+        self.divides, self.are_numbered, self.are_offset = None, False, False
         if isinstance(data, vtkCompositeDataSet):
             found = self._of_blocks(data)
         else:
@@ -192,6 +192,7 @@ class Solids:
         offset = self._filter.value("LabelOffset")
         self.are_numbered = bool(named) and 1 not in kinds and offset == 0 and not (
             min(named) >= 1 and max(named) <= _MOST)
+        self.are_offset = bool(named) and 1 not in kinds and not self.are_numbered
         found = []
         for place, (region, its_name) in enumerate(named.items(), 1):
             if 1 in kinds or self.are_numbered:
@@ -227,10 +228,10 @@ class Solids:
                 hash_of([leaf.points, leaf.corners]) if leaf is not None else 0):
             raise WindingError(
                 "several ranks cannot find solids that are in parts: name an array of regions "
-                "(Region Array), or give blocks, or give one rank the whole surface")
+                "(Region Array), or give blocks or files, or give one rank the whole surface")
         if leaf is not None and leaf.corners is None:
-            raise WindingError("give blocks, one for each solid: the input is points, and nothing "
-                               "tells which belong together")
+            raise WindingError("give blocks or files, one for each solid: the input is points, and "
+                               "nothing tells which belong together")
         own = [] if leaf is None else self._ranks_parts(leaf)
         count = int(max(np.concatenate(self._ranks.gather(np.array([len(own)])))))
         if count > _MOST:
@@ -611,6 +612,9 @@ class WindingNumberLabels(ImageAlgorithm):
             self.warn("labels are counted from 1, for regions are not all 1 to 65535: choose "
                       "another offset (Label Offset); names of the labels say which regions they "
                       "are")
+        if self.value("LabelOffset") and count and not solids.are_offset:
+            self.warn("labels are counted from 1, for solids have no numbers: leave the offset out "
+                      "(Label Offset)")
         if solids.divides:
             self.warn("the file's own names divide solids, which are parts by connectivity: label "
                       f"what has names (Region Array); the names belong to '{solids.divides}Ids'")

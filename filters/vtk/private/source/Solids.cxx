@@ -155,6 +155,7 @@ void Solids::addRegions(
                          values.back() + options.labelOffset <= largestLabel;
   areNumbered_ = !values.empty() && !areLabels && options.labelOffset == 0;
   const bool areCounted = values.empty() || areNumbered_;
+  areOffset_ = !areCounted;
   for (std::size_t i = 0; i < regions.size(); ++i)
   {
     const std::string what =
@@ -174,7 +175,7 @@ void Solids::addParts(vtkPointSet* data, vtkFieldData* fields, const SolidOption
   if (!ranks.isAlone() && !isWhole(data, ranks))
   {
     throw Refusal(Message("several ranks cannot find solids that are in parts",
-      {{"name an array of regions", {Parameter::regionArray}}, {"give blocks", {}},
+      {{"name an array of regions", {Parameter::regionArray}}, {"give blocks or files", {}},
         {"give one rank the whole surface", {}}}));
   }
   std::vector<std::string> names;
@@ -238,8 +239,9 @@ void Solids::findParts(vtkPointSet* data, const SolidOptions& options, Executor&
   }
   if (!hasFaces(data))
   {
-    throw Refusal("give blocks, one for each solid: the input is points, and nothing tells which "
-                  "belong together");
+    throw Refusal(
+      "give blocks or files, one for each solid: the input is points, and nothing tells which "
+      "belong together");
   }
   if (!vtkPolyData::SafeDownCast(data))
   {

@@ -78,6 +78,9 @@ public:
   /// Whether labels are 1, 2, … for regions that could be none.
   bool areNumbered() const { return areNumbered_; }
 
+  /// Whether labels are the numbers of regions, to which the offset is added.
+  bool areOffset() const { return areOffset_; }
+
   /// The array of a file's names that are not used, for they divide parts; empty for none.
   const std::string& dividingNames() const { return dividingNames_; }
 
@@ -106,7 +109,7 @@ private:
   std::vector<unsigned short> labels_;
   std::vector<std::string> names_;
   std::size_t repeatedNames_ = 0;
-  bool areNumbered_ = false;
+  bool areNumbered_ = false, areOffset_ = false;
   std::string dividingNames_;
   CellCounts counts_;
   bool asPoints_ = false;
