@@ -3,6 +3,7 @@
 #include "Border.h"
 #include "Handles.h"
 #include "field/FieldVolume.h"
+#include "report/SourceAdvice.h"
 #include "source/MeshVertices.h"
 
 using namespace winding::c;
@@ -27,7 +28,7 @@ void buildField(const std::vector<View>& views, const winding_options* options,
       call.warn(handle.field->info().warnings);
       if (handle.field->info().primitives == 0)
       {
-        call.warn(winding::Message("the source is empty, so its field is 0"));
+        call.warn(winding::emptySourceAdvice(known(options, defaultOptions()).weld_tolerance > 0));
       }
     });
 }

@@ -399,7 +399,7 @@ void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
   if (info.primitives == 0)
   {
     vtkWarningMacro(<< this->GetSourcePrefix()
-                    << "the source is empty, so its field is 0: give a surface or points");
+                    << winding::lineOf(winding::emptySourceAdvice(this->WeldTolerance > 0)));
   }
 }
 

@@ -295,8 +295,8 @@ void vtkWindingNumberProbeAlgorithm::TellEmpty()
     vtkWarningMacro(
       << winding::lineOf(winding::Message(
            sample + (this->InsideOut ? "outside" : "inside") + ", so the result is empty",
-           {{"look whether Input and Source overlap", {}}, {"take a finer Input", {}},
-             {"look whether the Source is closed", {winding::Parameter::surfaceReport}}})));
+           {{"look whether dataset and source overlap", {}}, {"take a finer dataset", {}},
+             {"look whether the source is closed", {winding::Parameter::surfaceReport}}})));
   }
 }
 

@@ -41,6 +41,7 @@ TEST(CommandLine, UsageErrors)
     {{"field", in, "-o", vti, "--resolution", "1e6"},
       "--resolution is 1e6; give a whole number, like 1000000; see"},
     {{"field", in, "-o", vti, "--threads", "2.6"}, "give a whole number, like 3; see"},
+    {{"field", in, "-o", vti, "--resolution", "99999999999"}, "give a smaller number; see"},
     {{"field", in, "-o", vti, "--dims", "8", "8", "all"}, "--dims is 8,8,all; give a number; see"},
     {{"field", in, "-o", vti, "--padding", "5%"}, "--padding is 5%; give a number; see"},
     {{"surface", in, "-o", folder.path("out.stl"), "--distance"}, "--distance is for outputs .vtp"},

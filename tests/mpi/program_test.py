@@ -80,6 +80,8 @@ def test_fields(runs):
             is_flat = "--dims" in options and "--pieces" in output
             lines = [line for line in own_lines(run) if "thinner than three voxels" not in line]
             assert len(lines) <= is_flat, run.stderr
+            for line in lines:
+                assert f"--pieces 3 on each of {runs.ranks} ranks is more than" in line, line
             runs.require_same("one.vti", output[0])
         assert filecmp.cmp(runs.folder / "one.vti", runs.folder / "all.vti", shallow=False)
 

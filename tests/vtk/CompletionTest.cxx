@@ -285,6 +285,12 @@ TEST(Completion, RefusesWrongWords)
   field->Update();
   EXPECT_NE(log.errors().find("SheetSide is no direction"), std::string::npos) << log.errors();
   field->SetSheetSide(nullptr);
+  field->SetWeldTolerance(100);
+  field->Update();
+  EXPECT_NE(log.warnings().find("the source is empty, so its field is 0: give a surface or points, "
+                                "or weld less ("),
+    std::string::npos)
+    << log.warnings();
   field->SetWeldTolerance(-1);
   field->Update();
   EXPECT_NE(log.errors().find("WeldTolerance is -1"), std::string::npos) << log.errors();

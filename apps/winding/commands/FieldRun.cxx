@@ -152,7 +152,9 @@ SlabExtent FieldRun::wholeExtent() const
 
 void FieldRun::warnOfPieces(std::size_t most) const
 {
-  messages_.warn(options_.input + ": --pieces " + std::to_string(options_.pieces) +
+  const std::string ofRanks =
+    parallel::isAlone() ? "" : " on each of " + std::to_string(parallel::count()) + " ranks";
+  messages_.warn(options_.input + ": --pieces " + std::to_string(options_.pieces) + ofRanks +
                  " is more than the grid can be cut into; it is written in " +
                  std::to_string(most));
 }

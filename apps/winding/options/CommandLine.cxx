@@ -311,9 +311,12 @@ std::string wordsForNumber(const std::string& text)
   const std::string word = text.substr(at + between.size());
   char* end = nullptr;
   const double value = std::strtod(word.c_str(), &end);
-  const bool isNumber = end != word.c_str() && *end == '\0' && std::abs(value) <= INT_MAX;
+  const bool isNumber = end != word.c_str() && *end == '\0' && std::isfinite(value);
+  const bool isLarge = isNumber && std::abs(value) > INT_MAX;
   return option + " is " + word + "; give " +
-         (isNumber ? "a whole number, like " + std::to_string(std::lround(value)) : "a number");
+         (isLarge     ? "a smaller number"
+           : isNumber ? "a whole number, like " + std::to_string(std::lround(value))
+                      : "a number");
 }
 
 /// The words of the parser on one line, and where to look further.

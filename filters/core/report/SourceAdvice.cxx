@@ -25,6 +25,16 @@ std::optional<Message> openSideAdvice(const FieldInfo& info, const OpenSideUse& 
   return advice;
 }
 
+Message emptySourceAdvice(bool isWelded)
+{
+  std::vector<Remedy> remedies = {{"give a surface or points", {}}};
+  if (isWelded)
+  {
+    remedies.push_back({"weld less", {Parameter::weldTolerance}});
+  }
+  return Message("the source is empty, so its field is 0", remedies);
+}
+
 Facing facingOf(const Field& field, const SideCounts& sides, InsideRule rule, double threshold,
   Executor& executor)
 {

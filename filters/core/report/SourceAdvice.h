@@ -24,6 +24,9 @@ struct OpenSideUse
 /// Returns what to do about a source that is open on a whole side, where it matters.
 std::optional<Message> openSideAdvice(const FieldInfo& info, const OpenSideUse& use);
 
+/// Returns what to do about a source without faces or points, which welding may have taken away.
+Message emptySourceAdvice(bool isWelded);
+
 /// The way in which a source faces, by the winding numbers of samples.
 struct Facing
 {

@@ -192,9 +192,9 @@ class ProbeAlgorithm(SourceAlgorithm):
     def tell_empty(self, inside, sample):
         if len(inside) and not inside.any() and self.info.primitives:
             side = "outside" if self.values["InsideOut"] else "inside"
-            self.warn(f"no {sample} is {side}, so the result is empty: look whether Input and "
-                      "Source overlap, or take a finer Input, or look whether the Source is closed "
-                      "(Surface Report)")
+            self.warn(f"no {sample} is {side}, so the result is empty: look whether "
+                      "dataset and source overlap, or take a finer dataset, or look whether the "
+                      "source is closed (Surface Report)")
 
 
 def _split(values, counts):
