@@ -16,8 +16,8 @@ from options import options_in  # noqa: E402
 BEGIN = """# All options
 
 What each option is called in C++ (a property, as `SetTolerance()`), in ParaView's panels, in the
-program `winding` and in Python. Members of structs in C have the name of the property, in small
-letters: `fill_cavities`. An empty place means that a front end has no name for it, or that it is an
+program `winding` and in Python. Members of structs in C have most of these names in small letters:
+`fill_cavities`. An empty place means that a front end has no name for it, or that it is an
 argument of a function or another command: `boolean(…, "union")`. Not every filter and command has
 every option: panels, `--help` and the [reference](reference.md) show what one of them has. Panels
 begin with other values for a few. This page is made of `filters/Options.def`.
