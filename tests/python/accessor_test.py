@@ -227,7 +227,8 @@ class AccessorTest(Warned):
                 ("selected_points", mesh.winding.select_interior_points(ball())),
                 ("implicit_distance", mesh.winding.signed_distance(ball())),
                 ("WindingNumber", ball().winding.field(resolution=6, inside=True)),
-                ("DistanceToInput", ball().winding.surface(resolution=9, distance_to_input=True))):
+                ("DistanceToInput",
+                 ball().winding.surface(resolution=12, distance_to_input=True))):
             self.assertEqual(made.active_scalars_name, name)
         self.assertEqual(mesh.active_scalars_name, "old")
 
@@ -290,8 +291,10 @@ class AccessorTest(Warned):
         self.assertIsInstance(solid, pv.PolyData)
         self.assertEqual(solid.n_open_edges, 0)
         self.assertEqual(solid.array_names, ["Normals"])
-        bare = ball().winding.surface(resolution=9, compute_normals=False)
+        bare = ball().winding.surface(resolution=12, compute_normals=False)
         self.assertEqual(bare.array_names, [])
+        with self.assertWarnsRegex(vtkwinding.WindingWarning, r"is open: .* \(close_border=True\)"):
+            self.assertGreater(ball().winding.surface(resolution=8).n_open_edges, 0)
         half = ball().winding.surface(spacing=0.05, bounds=(-0.6, 0, -0.6, 0.6, -0.6, 0.6),
                                       close_border=True)
         self.assertAlmostEqual(half.volume / ball().volume, 0.5, 1)  # 0.49
