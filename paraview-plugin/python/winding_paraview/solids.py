@@ -195,7 +195,7 @@ class Solids:
         self.are_offset = bool(named) and 1 not in kinds and not self.are_numbered
         found = []
         for place, (region, its_name) in enumerate(named.items(), 1):
-            if 1 in kinds or self.are_numbered:
+            if not self.are_offset:
                 label = _label(place, f"region '{its_name}'",
                                "choose another offset (Label Offset)")
             else:
