@@ -24,8 +24,8 @@ RESOLUTION = 128
 
 
 def cloud_of(mesh, sparser):
-    """The vertices of a mesh with their normals: all of the upper third, of the rest one in so
-    many."""
+    """Returns the vertices of `mesh` with their normals: all of the upper third, and one in
+    `sparser` of the rest."""
     with_normals = vtkPolyDataNormals()
     with_normals.SetInputData(mesh)
     with_normals.SplittingOff()

@@ -150,8 +150,8 @@ def draw_distance(winding, source, picture):
 
 
 def block_of_tetrahedra(bounds, cells):
-    """A volume mesh over the bounds, with so many cubes along the longest side cut in tetrahedra
-    each."""
+    """Returns a volume mesh over `bounds`: `cells` cubes along the longest side, each cut in
+    tetrahedra."""
     sides = [bounds[2 * axis + 1] - bounds[2 * axis] for axis in range(3)]
     step = max(sides) / cells
     image = vtkImageData()

@@ -93,7 +93,7 @@ def main():
     parser.add_argument("mesh", nargs="?", default=ROOT / "build/data/bunny_holes.off",
                         help="any format that ParaView reads (build/data/bunny_holes.off)")
     parser.add_argument("--plugin", default=default_plugin(),
-                        help="WindingNumbers.so (that of ./dev)")
+                        help="WindingNumbers.so (./dev builds it)")
     parser.add_argument("--resolution", type=int, default=96, help="voxels along the longest side")
     parser.add_argument("--picture", help="the .png to write; this needs a display")
     parser.add_argument("--state", help="the .pvsm to write; this needs a display")

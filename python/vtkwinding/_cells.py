@@ -54,8 +54,8 @@ def _cells_of(data):
     if not data.IsA("vtkUnstructuredGrid"):
         grid = _datasets.unstructured(data) if data.GetNumberOfCells() else None
     if grid is None or grid.GetNumberOfCells() == 0:
-        return np.empty((0, 3)), np.empty(0, np.uint8), np.empty(0, np.int64), (
-            np.zeros(1, np.int64)), 0
+        return (np.empty((0, 3)), np.empty(0, np.uint8), np.empty(0, np.int64),
+                np.zeros(1, np.int64), 0)
     types = _datasets.cell_types_of(grid)[:grid.GetNumberOfCells()].astype(np.uint8)
     corners, offsets = (array.astype(np.int64) for array in
                         _datasets.cells_of(grid, grid.GetCells()))

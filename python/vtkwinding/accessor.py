@@ -328,7 +328,7 @@ class WindingAccessor:
                 progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.PolyData:
         """Returns the surface w = threshold, closed over holes: PolyData of triangles.
 
-        The grid is that of field(). features: 'smooth'; 'sharp', which keeps edges and corners; or
+        The grid is as in field(). features: 'smooth'; 'sharp', which keeps edges and corners; or
         'voxels', the sides of voxels. The last two have normals of their faces, not of their
         points. close_border closes the surface where bounds cut it off. distance_to_input adds the
         point array 'DistanceToInput', as active scalars: distances from this mesh.
@@ -627,7 +627,7 @@ class WindingAccessor:
         of 1 to 65535, or the bodies that the mesh has; bodies that cell arrays 'ObjectIds',
         'SolidIds', 'GroupIds' or 'MaterialIds' name alike, with 'ObjectNames' and so on in the
         field data, are one. The field data of the result has 'LabelNames' and 'LabelValues'. The
-        grid is that of field(). overlap: 'first', 'last', 'largest' (winding number) or 'smallest'
+        grid is as in field(). overlap: 'first', 'last', 'largest' (winding number) or 'smallest'
         (volume) wins. coverage: 'center', 'any' or 'fraction' (half) of a voxel has to be inside.
         """
         _check_source("the mesh", self._mesh)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every command of the pages does what it says: those of `winding` are run, on inputs made for
-that, and those that build are checked against the presets, options and commands that there are.
+"""Every command of the pages does what it says: commands of `winding` are run, on inputs made for
+that, and the ones that build are checked against the presets, options and commands that there are.
 
 Usage: commands_test.py <root of the repository> <the program winding>. Prints each command and its
 faults, and fails if there is any.

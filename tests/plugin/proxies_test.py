@@ -256,8 +256,8 @@ DEFAULTS_OF_PANELS = {
     "EstimateNormals": "1",
 }
 
-# The values that a user interface offers. Those of the threshold and the padding are the usual
-# ones, of which the classes take more.
+# The values that a user interface offers. For the threshold and the padding they are the usual
+# ones; the classes take more.
 RANGES = {
     "FidelitySamples": (0, None),
     "Offset": (None, None),

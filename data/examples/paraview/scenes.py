@@ -69,7 +69,7 @@ def save_state(path):
 def run(description, make, draw):
     """Runs an example: make() gives its pipeline, draw(view, pipeline) shows it."""
     parser = argparse.ArgumentParser(description=description)
-    parser.add_argument("--plugin", type=pathlib.Path, help="WindingNumbers.so (that of ./dev)")
+    parser.add_argument("--plugin", type=pathlib.Path, help="WindingNumbers.so (./dev builds it)")
     parser.add_argument("--picture", type=pathlib.Path, help="the .png to write; needs a display")
     parser.add_argument("--state", type=pathlib.Path, help="the .pvsm to write; needs a display")
     arguments = parser.parse_args()
