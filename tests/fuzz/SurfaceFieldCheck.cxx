@@ -75,9 +75,7 @@ double largestCoordinate(const std::vector<Point>& points)
 
 /**
  * Adds what a triangle may do to a sample. Coordinates are right to some 2⁻⁵² of `size`: a triangle
- * that moves by as much changes w by that over its distance. The solid angle is the argument of a
- * complex number (SolidAngle.h), which the directions to the corners turn as far as these are
- * rounded: by any angle where its terms cancel, as they do near the edges of needles.
+ * that moves by as much changes w by that over its distance, and so does rounding (DirectSum.h).
  */
 void addTriangle(const Point (&corners)[3], const Point& sample, double size, Place& place)
 {
@@ -94,15 +92,8 @@ void addTriangle(const Point (&corners)[3], const Point& sample, double size, Pl
   const Vector a = seen(0), b = seen(1), c = seen(2);
   const long double numerator = a.dot(b.cross(c));
   const long double denominator = 1 + a.dot(b) + b.dot(c) + c.dot(a);
-  const auto modulus = static_cast<double>(std::hypot(numerator, denominator));
   place.strength += std::abs(static_cast<double>(std::atan2(numerator, denominator))) / (2 * pi);
-  double shortest = size;
-  for (const Point& corner : corners)
-  {
-    shortest = std::min(shortest, (corner - sample).stableNorm());
-  }
-  const double turned = 0x1p-48 * (1 + size / shortest);
-  place.rounding += std::min(1.0, turned / modulus) + 0x1p-46 * size / distance;
+  place.rounding += 0x1p-46 * size / distance;
 }
 
 void measure(const Surface& surface, Samples& samples)

@@ -28,7 +28,7 @@ void TriangleSum::multiply(const TriangleList& triangles, std::size_t first, std
   const SampleBlock& scaled, AngleProducts& products, bool watching) const
 {
   // Packing is repeated for every block: next to a block's worth of sums it costs nothing, and the
-  // packed triangles stay in the first-level cache instead of taking 96 bytes each of memory.
+  // packed triangles stay in the first-level cache instead of taking 104 bytes each of memory.
   KernelTriangle chunk[kernelChunk];
   for (; first < last; first += kernelChunk)
   {

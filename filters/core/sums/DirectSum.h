@@ -26,9 +26,11 @@ struct AngleProducts;
  *
  * Guaranteed: (1) the properties of SolidAngle.h; (2) a sample's value has the same bits whatever
  * other samples are evaluated with it; (3) values are finite for finite samples, also of surfaces
- * and clouds with coordinates of size 1e±100; (4) values equal referenceSum<long double> within
- * 1e-8 (measured: 8e-15 on 70 k triangles of a scan, 1.3e-9 on a torus squeezed to a thousandth,
- * whose samples lie within rounding of its triangles' planes); (5) the bits depend on the set of
+ * and clouds with coordinates of size 1e±100; (4) rounding changes the share of a
+ * triangle by some 1e-16 (1 + L/d) at most, for its longest side L and the distance d of the sample
+ * from its sides (measured: 7e-17 (1 + L/d) against numbers of 113 bits; 8e-15 in all on 70 k
+ * triangles of a scan, 3e-15 in boxes, wires and open troughs along the axes that are 1e8 times as
+ * long as wide); (5) the bits depend on the set of
  * oriented triangles and how often each counts, not on the order of triangles, vertices or corners:
  * they are summed in an order by coordinates (CoordinateOrder.h), which the first value waits for
  * and which is kept, 12 bytes per triangle.

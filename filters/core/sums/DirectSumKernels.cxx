@@ -36,13 +36,49 @@ HWY_INLINE Vec inverseMagnitude(Tag d, Vec value)
   return hn::BitCast(d, hn::Sub(hn::Set(du, 0x7FE0000000000000ull), exponent));
 }
 
-template <bool Watching>
-HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size_t count,
+/// Returns ab − cd. Where a and d are exchanged with c and b, it changes its sign to the bit, as a
+/// fused operation would not.
+HWY_INLINE Vec crossed(Vec a, Vec b, Vec c, Vec d)
+{
+  return hn::Sub(hn::Mul(a, b), hn::Mul(c, d));
+}
+
+/// Returns |v| + u·v, which does not cancel at an obtuse angle to the unit vector u: `along` is u·v,
+/// `across` is |u×v|².
+HWY_INLINE Vec lengthPlus(Vec along, Vec across, Vec length)
+{
+  const Tag d;
+  const Vec sum = hn::Add(length, hn::Abs(along));
+  return hn::IfThenElse(hn::Lt(along, hn::Zero(d)), hn::Div(across, sum), sum);
+}
+
+/// Finds the numerator `volume` and the denominator `sum` of the form of SolidAngle.h that does not
+/// cancel, from the corners minus the sample and their lengths. At a corner they are no numbers.
+HWY_INLINE void formWithoutCancelling(Vec ax, Vec ay, Vec az, Vec a, Vec bx, Vec by, Vec bz, Vec b,
+  Vec cx, Vec cy, Vec cz, Vec c, Vec& volume, Vec& sum)
+{
+  const Tag d;
+  const Vec inverse = hn::Div(hn::Set(d, 1.0), a);
+  const Vec ux = hn::Mul(ax, inverse), uy = hn::Mul(ay, inverse), uz = hn::Mul(az, inverse);
+  const Vec ubx = crossed(uy, bz, uz, by), ucx = crossed(uy, cz, uz, cy);
+  const Vec uby = crossed(uz, bx, ux, bz), ucy = crossed(uz, cx, ux, cz);
+  const Vec ubz = crossed(ux, by, uy, bx), ucz = crossed(ux, cy, uy, cx);
+  const Vec toB = lengthPlus(dot(ux, uy, uz, bx, by, bz), dot(ubx, uby, ubz, ubx, uby, ubz), b);
+  const Vec toC = lengthPlus(dot(ux, uy, uz, cx, cy, cz), dot(ucx, ucy, ucz, ucx, ucy, ucz), c);
+  volume = dot(ux, uy, uz, crossed(uby, ucz, ubz, ucy), crossed(ubz, ucx, ubx, ucz),
+    crossed(ubx, ucy, uby, ucx));
+  sum = hn::MulAdd(toB, toC, dot(ubx, uby, ubz, ucx, ucy, ucz));
+}
+
+/// Multiplies the factors of triangles that are all thin, or all not.
+template <bool Watching, bool Thin>
+HWY_INLINE void multiplyAlike(const KernelTriangle* HWY_RESTRICT triangles, std::size_t count,
   const SampleBlock& samples, AngleProducts& products)
 {
   const Tag d;
   const Vec zero = hn::Zero(d), one = hn::Set(d, 1.0);
   const Vec smallestNormal = hn::Set(d, std::numeric_limits<double>::min());
+  const Vec small = hn::Set(d, smallSolidAngle);
   for (std::size_t s = 0; s < samples.count; s += hn::Lanes(d))
   {
     const Vec qx = hn::Load(d, samples.x + s);
@@ -74,8 +110,8 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
       // either, though rounding may give it one: the length is 0 there. Lengths are 0 or far above
       // the smallest normal number, as they are roots.
       const Vec toBOrC = hn::Min(b, c);
-      const auto isInPlane = hn::Le(hn::Min(hn::Abs(height), toBOrC), smallestNormal);
-      const Vec num = hn::IfThenZeroElse(isInPlane, height);
+      auto isInPlane = hn::Le(hn::Min(hn::Abs(height), toBOrC), smallestNormal);
+      Vec num = hn::IfThenZeroElse(isInPlane, height);
       // The denominator is symmetric in b and c to the bit, so that the sum is odd under their
       // exchange.
       const Vec bc = hn::MulAdd(b, c, dot(bx, by, bz, cx, cy, cz));
@@ -89,16 +125,29 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
         const auto isAtVertex = hn::Le(nearest, hn::Mul(sides, hn::Set(d, suspectAngle)));
         suspect = hn::IfThenElse(hn::Or(isOn, isAtVertex), one, suspect);
       }
+      if (Thin)
+      {
+        const auto isSmall =
+          hn::Le(hn::Max(hn::Abs(num), hn::Abs(den)), hn::Mul(hn::Mul(a, b), hn::Mul(c, small)));
+        if (!hn::AllFalse(d, isSmall))
+        {
+          Vec volume, sum;
+          formWithoutCancelling(ax, ay, az, a, bx, by, bz, b, cx, cy, cz, c, volume, sum);
+          isInPlane = hn::Or(isInPlane, hn::And(isSmall, hn::Le(hn::Abs(volume), smallestNormal)));
+          num = hn::IfThenZeroElse(isInPlane, hn::IfThenElse(isSmall, volume, num));
+          den = hn::IfThenElse(isSmall, sum, den);
+        }
+      }
       // A sample in the plane of the triangle gets a factor of 1, whatever the denominator's sign.
       den = hn::IfThenElse(isInPlane, one, den);
 
       const Vec newRe = hn::Sub(hn::Mul(re, den), hn::Mul(im, num));
       const Vec newIm = hn::MulAdd(re, num, hn::Mul(im, den));
       // The argument crossed the branch cut iff both angles had one sign and their sum has the
-      // other. Only the sign bit of `crossed` means anything: copied onto 1 it can be compared,
+      // other. Only the sign bit of `signs` means anything: copied onto 1 it can be compared,
       // whatever number the processor takes the other bits for.
-      const Vec crossed = hn::AndNot(hn::Xor(im, num), hn::Xor(im, newIm));
-      const auto hasCrossed = hn::Lt(hn::CopySign(one, crossed), zero);
+      const Vec signs = hn::AndNot(hn::Xor(im, num), hn::Xor(im, newIm));
+      const auto hasCrossed = hn::Lt(hn::CopySign(one, signs), zero);
       const Vec step = hn::IfThenZeroElse(isInPlane, hn::CopySign(one, num));
       turns = hn::Add(turns, hn::IfThenElseZero(hasCrossed, step));
 
@@ -112,6 +161,26 @@ HWY_INLINE void multiply(const KernelTriangle* HWY_RESTRICT triangles, std::size
     if (Watching)
     {
       hn::Store(hn::Max(suspect, hn::Load(d, products.suspect + s)), d, products.suspect + s);
+    }
+  }
+}
+
+template <bool Watching>
+HWY_INLINE void multiply(const KernelTriangle* triangles, std::size_t count,
+  const SampleBlock& samples, AngleProducts& products)
+{
+  for (const KernelTriangle *first = triangles, *last; first != triangles + count; first = last)
+  {
+    last = std::find_if(first, triangles + count,
+      [first](const KernelTriangle& t) { return t.isThin != first->isThin; });
+    const auto alike = static_cast<std::size_t>(last - first);
+    if (first->isThin)
+    {
+      multiplyAlike<Watching, true>(first, alike, samples, products);
+    }
+    else
+    {
+      multiplyAlike<Watching, false>(first, alike, samples, products);
     }
   }
 }

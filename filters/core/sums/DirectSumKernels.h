@@ -3,6 +3,7 @@
 #pragma once
 
 #include "sums/KernelTypes.h"
+#include "sums/SolidAngle.h"
 
 #include <Eigen/Geometry>
 
@@ -19,36 +20,19 @@
 namespace winding
 {
 
-/// The triangle of three corners in scaled coordinates. The cross product of any two of its sides
-/// is its normal; the product of the shorter two cancels least. Where b and c are exchanged, the
-/// normal turns round to the bit, and it is exactly 0 where the shorter sides are exactly parallel.
+/// Returns the triangle of three corners in scaled coordinates.
 inline KernelTriangle kernelTriangle(
   const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
 {
-  const Eigen::Vector3d ab = b - a, ac = c - a, bc = c - b;
-  const double lab = ab.squaredNorm(), lac = ac.squaredNorm(), lbc = bc.squaredNorm();
-  Eigen::Vector3d normal;
-  if (lac > std::max(lab, lbc))
-  {
-    normal = ab.cross(bc);
-  }
-  else if (lab > std::max(lac, lbc))
-  {
-    normal = ac.cross(bc);
-  }
-  else if (lab > lbc) // and as long as ac
-  {
-    normal = (0.5 * (ab + ac)).cross(bc);
-  }
-  else
-  {
-    normal = ab.cross(ac);
-  }
+  const Eigen::Vector3d normal = triangleNormal<double>(a, b, c);
   KernelTriangle triangle;
   std::copy_n(a.data(), 3, triangle.a);
   std::copy_n(b.data(), 3, triangle.b);
   std::copy_n(c.data(), 3, triangle.c);
   std::copy_n(normal.data(), 3, triangle.normal);
+  const double longest =
+    std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm()});
+  triangle.isThin = longest * longest > 16 * 16 * normal.squaredNorm();
   return triangle;
 }
 
@@ -74,9 +58,8 @@ void multiplyAngles(const KernelTriangle* triangles, std::size_t count, const Sa
 void multiplyAnglesWatching(const KernelTriangle* triangles, std::size_t count,
   const SampleBlock& samples, AngleProducts& products);
 
-/// The bound for samples that multiplyAnglesWatching() marks. Rounding errors of numerator and
-/// denominator are some 1e-16 times |a||b||c| times the ratio of the coordinates to the distances;
-/// samples that are not marked have angles right to 1e-10 and better.
+/// The bound for samples that multiplyAnglesWatching() marks. It is far above the rounding errors of
+/// numerator and denominator, which are some 1e-16 times |a||b||c|.
 constexpr double suspectAngle = 1e-6;
 
 /// Adds m·d/|d|³, d = p − q, of dipoles m at p for samples q; 0 at the point itself.

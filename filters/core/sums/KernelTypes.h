@@ -23,6 +23,7 @@ struct KernelTriangle
 {
   double a[3], b[3], c[3];
   double normal[3]; ///< (b − a) × (c − a), from kernelTriangle()
+  bool isThin;      ///< whether the longest side is over 16 times as long as the height on it
 };
 
 struct KernelDipole

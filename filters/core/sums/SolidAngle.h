@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,27 +29,74 @@ namespace winding
 
 template <class Scalar> using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
 
+/// Where numerator and denominator of a solid angle are both at most this times |a||b||c|, they are
+/// taken in the form that does not cancel.
+constexpr double smallSolidAngle = 0x1p-6;
+
+/// Returns (b − a) × (c − a), the cross product of any two sides: that of the shorter two cancels
+/// least. Where b and c are exchanged, it turns round to the bit. It is exactly 0 where the shorter
+/// sides are exactly parallel.
+template <class Scalar>
+Vector3<Scalar> triangleNormal(
+  const Vector3<Scalar>& a, const Vector3<Scalar>& b, const Vector3<Scalar>& c)
+{
+  const Vector3<Scalar> ab = b - a, ac = c - a, bc = c - b;
+  const Scalar lab = ab.squaredNorm(), lac = ac.squaredNorm(), lbc = bc.squaredNorm();
+  if (lac > std::max(lab, lbc))
+  {
+    return ab.cross(bc);
+  }
+  if (lab > std::max(lac, lbc))
+  {
+    return ac.cross(bc);
+  }
+  if (lab > lbc) // and as long as ac
+  {
+    return (Scalar(0.5) * (ab + ac)).cross(bc);
+  }
+  return ab.cross(ac);
+}
+
 /**
  * Solid angle of a triangle, in (−2π, 2π), positive where its normal points away from q, so that an
  * outward oriented closed surface gives +4π inside.
  *
  * tan(Ω/2) = a·(b×c) / (|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|)
  * (van Oosterom and Strackee, The solid angle of a plane triangle, IEEE TBME 1983.) The numerator
- * is taken as a·((b−a)×(c−a)), which does not cancel for small far triangles.
+ * is taken as a·((b−a)×(c−a)), which does not cancel for small far triangles (triangleNormal()).
+ * Both are small differences where corners are seen in nearly opposite directions, as from the
+ * middle of a needle. There, with u = a/|a|,
+ *
+ * tan(Ω/2) = u·((u×b)×(u×c)) / ((|b| + u·b)(|c| + u·c) + (u×b)·(u×c)),
+ *
+ * by (u×b)×(u×c) = u (u·(b×c)) and (u×b)·(u×c) = b·c − (u·b)(u·c); and where u·b < 0,
+ * |b| + u·b = |u×b|² / (|b| − u·b). So rounding costs the angle some
+ * 2e-15 (1 + L/d) at most in double, for a longest side L and a distance d from the three sides.
  */
 template <class Scalar>
 Scalar solidAngle(const Vector3<Scalar>& a, const Vector3<Scalar>& b, const Vector3<Scalar>& c)
 {
-  const Scalar numerator = a.dot((b - a).cross(c - a));
+  const Scalar numerator = a.dot(triangleNormal<Scalar>(a, b, c));
   const Scalar la = a.norm(), lb = b.norm(), lc = c.norm();
   // At a vertex the numerator may be rounding instead of 0.
   if (numerator == 0 || la == 0 || lb == 0 || lc == 0)
   {
     return 0;
   }
-  // The denominator is symmetric in b and c to the bit.
+  // Denominators are symmetric in b and c to the bit.
   const Scalar denominator = (lb * lc + b.dot(c)) * la + (a.dot(b) * lc + a.dot(c) * lb);
-  return 2 * std::atan2(numerator, denominator);
+  if (std::max(std::abs(numerator), std::abs(denominator)) > smallSolidAngle * (lb * lc * la))
+  {
+    return 2 * std::atan2(numerator, denominator);
+  }
+  const Vector3<Scalar> u = a / la, ub = u.cross(b), uc = u.cross(c);
+  const auto lengthPlus = [](Scalar along, const Vector3<Scalar>& across, Scalar length)
+  {
+    return along < 0 ? across.squaredNorm() / (length - along) : length + along;
+  };
+  const Scalar volume = u.dot(ub.cross(uc));
+  const Scalar sum = lengthPlus(u.dot(b), ub, lb) * lengthPlus(u.dot(c), uc, lc) + ub.dot(uc);
+  return volume == 0 ? 0 : 2 * std::atan2(volume, sum);
 }
 
 /**

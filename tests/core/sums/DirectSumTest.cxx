@@ -5,6 +5,7 @@
 
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
+#include "support/QuadAngle.h"
 #include "support/ReadObj.h"
 #include "support/Shapes.h"
 
@@ -85,6 +86,135 @@ TEST(TriangleSum, EqualsTheLongDoubleReference)
     worst = std::max(worst, error);
   }
   record("worst", worst);
+}
+
+TEST(TriangleSum, OfANeedleLosesNoMoreThanItsCoordinatesDo)
+{
+  SCOPED_TRACE("seed 16");
+  Random random(16);
+  double worst = 0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    const Needle needle(random);
+    const Mesh mesh{{needle.corners, needle.corners + 3}, {{0, 1, 2}}};
+    const std::vector<Point> samples = randomPoints(8, -1, 1, static_cast<unsigned>(i));
+    const std::vector<double> values = windingOf(mesh, samples);
+    for (std::size_t n = 0; n < samples.size(); ++n)
+    {
+      const QuadVector q(samples[n]);
+      const double exact = quadSolidAngle(QuadVector(needle.corners[0]) - q,
+        QuadVector(needle.corners[1]) - q, QuadVector(needle.corners[2]) - q);
+      const double error = std::remainder(values[n] - exact / (4 * std::acos(-1.0)), 1);
+      worst = std::max(worst, std::abs(error) / (1 + needle.ratioAt(samples[n])));
+    }
+  }
+  record("worst", worst);
+  EXPECT_LT(worst, 2e-16); // measured: 7.1e-17
+}
+
+/// Returns a prism over a regular polygon of `corners` corners, `length` times as long as wide.
+Mesh wire(int corners, double length)
+{
+  Mesh mesh;
+  mesh.points = {{0, 0, 0}, {length, 0, 0}};
+  for (int i = 0; i < corners; ++i)
+  {
+    const double phi = 2 * std::acos(-1.0) * i / corners;
+    mesh.points.emplace_back(0, 0.5 * std::cos(phi), 0.5 * std::sin(phi));
+    mesh.points.emplace_back(length, 0.5 * std::cos(phi), 0.5 * std::sin(phi));
+    const int a = 2 + 2 * i, b = 2 + 2 * ((i + 1) % corners);
+    for (const auto& triangle :
+      {std::array{a, a + 1, b + 1}, {a, b + 1, b}, {0, a, b}, {1, b + 1, a + 1}})
+    {
+      mesh.triangles.push_back({triangle[0], triangle[2], triangle[1]});
+    }
+  }
+  return mesh;
+}
+
+/// Returns a matrix that turns, any but along the axes.
+Eigen::Matrix3d turn(Random& random)
+{
+  const Point x = random.direction(), y = x.unitOrthogonal();
+  Eigen::Matrix3d matrix;
+  matrix << x, y, x.cross(y);
+  return matrix;
+}
+
+TEST(TriangleSum, OfLongBoxesAndWiresIsAnInteger)
+{
+  SCOPED_TRACE("seed 17");
+  Random random(17);
+  double worst = 0, worstTurned = 0;
+  for (const double length : {1e3, 1e4, 1e5, 1e6, 1e7, 1e8})
+  {
+    for (const bool isBox : {true, false})
+    {
+      const Mesh mesh = isBox ? cube({0, -0.5, -0.5}, {length, 0.5, 0.5}) : wire(64, length);
+      std::vector<Point> samples = randomPoints(2000, -1, 1, 18);
+      std::vector<double> expected;
+      for (Point& q : samples)
+      {
+        const auto widthOf = [isBox](const Point& p)
+        {
+          return isBox ? std::max(std::abs(p.y()), std::abs(p.z())) : std::hypot(p.y(), p.z());
+        };
+        q *= widthOf(q) > 0.48 && widthOf(q) < 0.51 ? 0.9 : 1; // no sample lies at the skin
+        expected.push_back(std::abs(q.x()) < 0.5 && widthOf(q) < 0.49 ? 1 : 0);
+        q.x() = (q.x() + 0.5) * length;
+      }
+      worst = std::max(worst, largestDifference(windingOf(mesh, samples), expected));
+      const Eigen::Matrix3d matrix = turn(random);
+      for (Point& q : samples)
+      {
+        q = matrix * q;
+      }
+      const Mesh turned = mesh.mapped([&](const Point& p) { return Point(matrix * p); });
+      worstTurned =
+        std::max(worstTurned, largestDifference(windingOf(turned, samples), expected) / length);
+    }
+  }
+  record("worst", worst);
+  record("worstTurned", worstTurned);
+  EXPECT_LT(worst, 1e-14);       // measured: 2.2e-15
+  EXPECT_LT(worstTurned, 1e-15); // measured: 2.2e-16
+}
+
+TEST(TriangleSum, OfALongTroughIsThatOfItsMissingRectangle)
+{
+  double worst = 0;
+  for (const double length : {1e2, 1e4, 1e6, 1e8})
+  {
+    const std::vector<Point> samples = [length]
+    {
+      std::vector<Point> points = randomPoints(2000, -0.3, 1.3, 19);
+      for (Point& q : points)
+      {
+        q.x() *= length;
+      }
+      return points;
+    }();
+    std::vector<double> expected;
+    for (const Point& q : samples)
+    {
+      // The solid angle of a rectangle is a sum over its corners (x, y) at the height z.
+      const double z = 1 - q.z();
+      const auto corner = [z](double x, double y)
+      {
+        return std::atan(x * y / (z * std::sqrt(x * x + y * y + z * z)));
+      };
+      const double top = corner(length - q.x(), 1 - q.y()) - corner(-q.x(), 1 - q.y()) -
+                         corner(length - q.x(), -q.y()) + corner(-q.x(), -q.y());
+      const bool isInside =
+        q.x() > 0 && q.x() < length && q.y() > 0 && q.y() < 1 && q.z() > 0 && q.z() < 1;
+      expected.push_back(isInside - top / (4 * std::acos(-1.0)));
+    }
+    const Mesh trough =
+      openCube().mapped([length](const Point& p) { return Point(length * p[0], p[1], p[2]); });
+    worst = std::max(worst, largestDifference(windingOf(trough, samples), expected));
+  }
+  record("worst", worst);
+  EXPECT_LT(worst, 1e-14); // measured: 3.2e-15
 }
 
 TEST(TriangleSum, OfClosedShapesIsAnIntegerNearTheSurfaceToo)
