@@ -9,6 +9,7 @@
 #include "messages/PropertyChecks.h"
 #include "pipeline/ErrorReports.h"
 #include "pipeline/SmpExecutor.h"
+#include "private/source/ModifiedTime.h"
 #include "private/source/SourceProperties.h"
 
 #include "vtkAbstractTransform.h"
@@ -152,7 +153,7 @@ vtkMTimeType vtkImplicitWindingNumber::GetMTime()
   vtkMTimeType time = this->Superclass::GetMTime();
   for (vtkDataObject* part : partsOf(this->Input))
   {
-    time = std::max(time, part->GetMTime());
+    time = std::max(time, winding::modifiedTimeOf(part));
   }
   return time;
 }
@@ -162,7 +163,7 @@ bool vtkImplicitWindingNumber::IsCurrent(const Built* built)
 {
   return built && ownTime(this) <= built->Time &&
          std::all_of(built->Parts.begin(), built->Parts.end(),
-           [built](vtkDataObject* part) { return part->GetMTime() <= built->Time; });
+           [built](vtkDataObject* part) { return winding::modifiedTimeOf(part) <= built->Time; });
 }
 
 /// The field, built if need be; null if there cannot be one.
@@ -182,7 +183,7 @@ const winding::Field* vtkImplicitWindingNumber::GetField()
     next->Time = ownTime(this);
     for (vtkDataObject* part : next->Parts)
     {
-      next->Time = std::max(next->Time, part->GetMTime());
+      next->Time = std::max(next->Time, winding::modifiedTimeOf(part));
     }
     next->Field = this->PrepareField();
     internal.BeforeLast = std::move(internal.Last);

@@ -110,6 +110,22 @@ def leaves_of(data):
     return leaves
 
 
+def modified_time(data):
+    """Returns when a data set was modified, the arrays within its cells included:
+    vtkCellArray.GetMTime() leaves those out."""
+    cells = [getattr(data, name)() for name in (
+        ("GetVerts", "GetLines", "GetPolys", "GetStrips") if data.IsA("vtkPolyData") else
+        ("GetCells", "GetPolyhedronFaces", "GetPolyhedronFaceLocations")
+        if data.IsA("vtkUnstructuredGrid") else ()) if hasattr(data, name)]
+    arrays = [array for each in cells if each is not None
+              for array in (each.GetConnectivityArray(), each.GetOffsetsArray())]
+    if data.IsA("vtkUnstructuredGrid"):
+        arrays.append(data.GetCellTypesArray())
+        if not hasattr(data, "GetPolyhedronFaces"):
+            arrays += [data.GetFaces(), data.GetFaceLocations()]
+    return max(each.GetMTime() for each in (data, *arrays) if each is not None)
+
+
 def flat_index_of(name):
     """Returns the flat index of a data set by its name, as leaves_of() gives it; 0 for no block."""
     return int(name[6:]) if name.startswith("block ") else 0

@@ -14,7 +14,7 @@ import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObject
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkImagingCore import vtkImageDataStreamer
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
@@ -627,6 +627,24 @@ def of_numbers_out_of_range(ball):
         Input=named, FaultThickness=2))
 
 
+def of_ids_that_change(ball):
+    """Turns triangles round within the array of their ids, which no cell array notices."""
+    ball.UpdatePipeline()
+    mesh = vtkPolyData()
+    mesh.DeepCopy(ball.GetClientSideObject().GetOutputDataObject(0))
+    source = simple.TrivialProducer()
+    source.GetClientSideObject().SetOutput(mesh)
+    field = note("ids", simple.WindingNumberField(Input=source, Resolution=16))
+    ids = mesh.GetPolys().GetConnectivityArray()
+    corners = vtk_to_numpy(ids).reshape(-1, 3)
+    corners[:] = corners[:, ::-1].copy()
+    ids.Modified()
+    field.Resolution = 17
+    note("ids that changed in place", field)
+    lowest = field.GetClientSideObject().GetOutputDataObject(0).GetPointData().GetScalars()
+    assert lowest.GetRange() == (-1, 0)
+
+
 def run(folder):
     simple.LoadPlugin(os.environ["WINDING_PLUGIN"], remote=False)
     vtkObject.GlobalWarningDisplayOn()
@@ -697,7 +715,7 @@ def run(folder):
     nothing.SliceType.Origin = [9, 9, 9]
     of_points_of_few_kinds(nothing)
     for of_these in (of_parts_as_clouds, of_warnings_of_solids, of_lines, of_empty_voxels,
-                     of_numbers_out_of_range):
+                     of_numbers_out_of_range, of_ids_that_change):
         of_these(balls[0])
 
 

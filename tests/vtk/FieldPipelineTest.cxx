@@ -20,6 +20,7 @@
 #include "vtkSourceReader.h"
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkWindingNumberField.h"
 
 #include <gtest/gtest.h>
@@ -27,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <memory>
 #include <string>
 
@@ -228,6 +230,41 @@ TEST_F(FieldPipeline, NewDataObjectsOfTheSameMeshKeepWhatWasBuilt)
   sphere->GetOutput()->Modified();
   field->Update();
   EXPECT_GT(field->GetPrepareSeconds(), 0) << "a point was moved";
+}
+
+/// Turns all triangles round within the array of their ids, without a word to what holds it.
+void turnInPlace(vtkCellArray* cells)
+{
+  vtkDataArray* ids = cells->GetConnectivityArray();
+  for (vtkIdType i = 0; i < ids->GetNumberOfValues(); i += 3)
+  {
+    const double second = ids->GetComponent(i + 1, 0);
+    ids->SetComponent(i + 1, 0, ids->GetComponent(i + 2, 0));
+    ids->SetComponent(i + 2, 0, second);
+  }
+  ids->Modified();
+}
+
+TEST_F(FieldPipeline, FollowsIdsThatChangeInPlace)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(sphere->GetOutput()->GetPoints());
+  grid->SetCells(VTK_TRIANGLE, sphere->GetOutput()->GetPolys());
+  field->SetUseSurfaceCells(true);
+  for (vtkPointSet* source : std::initializer_list<vtkPointSet*>{sphere->GetOutput(), grid})
+  {
+    field->SetInputData(source);
+    for (int run = 0; run < 3; ++run)
+    {
+      field->SetResolution(22 + run % 2); // the filter runs again
+      field->Update();
+      double range[2];
+      field->GetOutput()->GetPointData()->GetScalars()->GetRange(range);
+      EXPECT_GT(run % 2 == 0 ? range[1] : -range[0], 0.7) << source->GetClassName();
+      turnInPlace(sphere->GetOutput()->GetPolys());
+    }
+    turnInPlace(sphere->GetOutput()->GetPolys());
+  }
 }
 
 TEST_F(FieldPipeline, SameIdsInCellsOfAnotherSizeAreAnotherMesh)

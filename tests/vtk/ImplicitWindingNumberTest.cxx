@@ -331,6 +331,19 @@ TEST_F(ImplicitWindingNumber, FollowsAnInputThatIsModified)
   EXPECT_GT(function->GetMTime(), time);
   EXPECT_NEAR(function->FunctionValue(x), 0.5, 1e-3);
 
+  // Triangles are turned round within the array of their ids.
+  vtkDataArray* ids = source->GetOutput()->GetPolys()->GetConnectivityArray();
+  for (vtkIdType i = 0; i < ids->GetNumberOfValues(); i += 3)
+  {
+    const double second = ids->GetComponent(i + 1, 0);
+    ids->SetComponent(i + 1, 0, ids->GetComponent(i + 2, 0));
+    ids->SetComponent(i + 2, 0, second);
+  }
+  time = function->GetMTime();
+  ids->Modified();
+  EXPECT_GT(function->GetMTime(), time);
+  EXPECT_NEAR(function->FunctionValue(x), -1.5, 1e-3);
+
   function->SetInput(sphere(180, 0.8));
   EXPECT_NEAR(function->FunctionValue(x), -0.5, 1e-3);
 }

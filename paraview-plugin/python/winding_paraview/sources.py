@@ -376,7 +376,8 @@ class SourceAlgorithm(Algorithm):
                  "EstimateNormals", "NormalEstimation", "Toward", "Regularization", "AreaArray",
                  "NormalsArray", "SourceDistribution")
         leaves = [] if data is None else [
-            (leaf.GetAddressAsString(""), leaf.GetMTime()) for _, leaf in _datasets.leaves_of(data)]
+            (leaf.GetAddressAsString(""), _datasets.modified_time(leaf))
+            for _, leaf in _datasets.leaves_of(data)]
         return leaves, [self.values[name] for name in names]
 
     def prepare(self, data, ranks):

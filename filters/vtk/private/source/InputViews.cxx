@@ -7,6 +7,7 @@
 #include "cloud/OutwardNormals.h"
 #include "private/source/CellChecks.h"
 #include "private/source/ContentHash.h"
+#include "private/source/ModifiedTime.h"
 #include "private/source/PointArrays.h"
 #include "private/source/SourceParts.h"
 #include "source/Sanitize.h"
@@ -144,7 +145,7 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name, unsigned 
   isSurface_ = isSurface;
   leaves_.push_back(own);
   blocks_.push_back(block);
-  identity_.emplace_back(points, points->GetMTime());
+  identity_.emplace_back(points, modifiedTimeOf(points));
 }
 
 std::uint64_t InputViews::fingerprint() const
@@ -162,7 +163,7 @@ std::uint64_t InputViews::fingerprint() const
     else
     {
       // Cells of volume meshes have many forms; any change of the data set counts as one of them.
-      hash.addValue(leaf->GetMTime());
+      hash.addValue(modifiedTimeOf(leaf));
     }
     if (!isSurface_)
     {
