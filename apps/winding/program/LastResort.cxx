@@ -5,6 +5,7 @@
 #include "program/Failure.h"
 #include "program/Interrupt.h"
 
+#include <atomic>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -14,10 +15,18 @@
 namespace
 {
 
-void tell(const char* line)
+/// Writes a line and leaves, in the first thread that comes; others wait for that.
+[[noreturn]] void leaveWith(const char* line, int status)
 {
+  static std::atomic_flag isLeaving = ATOMIC_FLAG_INIT;
+  while (isLeaving.test_and_set())
+  {
+    pause();
+  }
+  interrupt::removeTemporaryFiles();
   const ssize_t ignored = write(STDERR_FILENO, line, std::strlen(line));
   static_cast<void>(ignored);
+  _exit(status);
 }
 
 bool hasMemoryRunOut()
@@ -46,9 +55,7 @@ bool hasMemoryRunOut()
   {
     leaveWithoutMemory();
   }
-  interrupt::removeTemporaryFiles();
-  tell("winding: error: unexpected end; please report it\n");
-  _exit(EXIT_REFUSED);
+  leaveWith("winding: error: unexpected end; please report it\n", EXIT_REFUSED);
 }
 
 } // namespace
@@ -60,7 +67,6 @@ void installLastResort()
 
 void leaveWithoutMemory()
 {
-  interrupt::removeTemporaryFiles();
-  tell("winding: error: not enough memory; end other programs, or choose a coarser grid\n");
-  _exit(EXIT_NO_MEMORY);
+  leaveWith("winding: error: not enough memory; end other programs, or choose a coarser grid\n",
+    EXIT_NO_MEMORY);
 }
