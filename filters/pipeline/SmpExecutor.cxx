@@ -11,6 +11,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -106,15 +107,32 @@ void SmpExecutor::runBatch(
 {
   // Some pieces per thread even out the load; one block each would drown small blocks in overhead.
   const std::size_t grain = std::max<std::size_t>(1, (last - first) / 64);
+  // Nothing is thrown into a backend: STDThread ends the program, or goes on without the block.
+  std::exception_ptr failure;
+  std::atomic<bool> hasFailed{false};
   vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last),
     static_cast<vtkIdType>(grain),
-    [&work](vtkIdType begin, vtkIdType end)
+    [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType block = begin; block < end; ++block)
+      try
       {
-        work(static_cast<std::size_t>(block));
+        for (vtkIdType block = begin; block < end && !hasFailed; ++block)
+        {
+          work(static_cast<std::size_t>(block));
+        }
+      }
+      catch (...)
+      {
+        if (!hasFailed.exchange(true))
+        {
+          failure = std::current_exception();
+        }
       }
     });
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
 }
 
 bool SmpExecutor::runBatches(

@@ -11,18 +11,19 @@ import program as winding
 from program import require
 
 MODES = ("FAULT_ALLOCATION", "FAULT_ALLOCATIONS_FROM")
+BACKENDS = ("STDThread", "TBB", "Sequential")  # of vtkSMPTools; the last has one thread
 
 
-def jobs():
-    """Small runs, each of one thread, so that allocations come in one order."""
-    common = ["--threads", 1, "--quiet"]
+def jobs(threads=1):
+    """Small runs; with one thread, allocations come in one order."""
+    common = ["--threads", threads, "--quiet"]
     return [winding.Job("out.vti", "field", "in.off", "-o", "out.vti", "--resolution", 4, *common),
             winding.Job("out.stl", "surface", "in.off", "-o", "out.stl", "--resolution", 4,
                         *common),
             winding.Job("out.stl", "surface", "in.off", "-o", "out.stl", "--resolution", 4,
                         "--features", "sharp", "--fidelity", 20, *common),
             winding.Job("out.stl", "surface", "in.off", "-o", "out.stl", "--resolution", 4,
-                        "--shell", 0.5, "--fill-cavities"),
+                        "--shell", 0.5, "--fill-cavities", *common),
             winding.Job("out.ply", "surface", "in.off", "-o", "out.ply", "--resolution", 4,
                         "--transfer-attributes", "--nearest-cells", *common),
             winding.Job("out.stl", "boolean", "in.off", "in.off", "-o", "out.stl", "--resolution",
@@ -35,12 +36,13 @@ def jobs():
             winding.Job("out.ply", "normals", "in.off", "-o", "out.ply", "--replace", *common)]
 
 
-def one(program, folder, libraries, job, old, new, mode, number):
-    where = f"{mode}={number} {' '.join(job.words)}:"
+def one(program, folder, libraries, job, old, new, mode, number, backend):
+    where = f"{backend or 'one thread'}: {mode}={number} {' '.join(job.words)}:"
     job.put(folder, old)
     try:
         status, errors = winding.run(program, job, folder, environment={
-            "LD_PRELOAD": libraries["allocation_faults"], mode: str(number)})
+            "LD_PRELOAD": libraries["allocation_faults"], mode: str(number),
+            **({"VTK_SMP_BACKEND_IN_USE": backend} if backend else {})})
         winding.require_status(status, errors)
         is_new = winding.require_whole(job, folder, old, new)
         require(not winding.part_files(folder), "left", winding.part_files(folder))
@@ -67,10 +69,11 @@ def allocations_of(program, folder, libraries, job):
 
 
 def check(program, folder, chance, runs, libraries, **_):
-    """All allocations of all jobs where runs are enough for them, a random choice otherwise."""
+    """All allocations of all jobs on one thread, and a tenth of them with two threads of each
+    backend, where runs are enough for them; a random choice otherwise."""
     counts, cases = {}, []
     workers = os.cpu_count() or 1
-    for index, job in enumerate(jobs()):
+    for index, (job, on_two) in enumerate(zip(jobs(), jobs(2))):
         places = [folder / f"{index}-{worker}" for worker in range(workers)]
         places[0].mkdir()
         winding.sphere(places[0], rows=6)
@@ -82,15 +85,18 @@ def check(program, folder, chance, runs, libraries, **_):
         job.put(places[0], {})
         for place in places[1:]:
             shutil.copytree(places[0], place)
-        cases += [(places, job, old, new, mode, number)
+        cases += [(places, job, old, new, mode, number, None)
                   for mode in MODES for number in range(1, count + 1)]
+        cases += [(places, on_two, old, new, mode, number, backend)
+                  for mode in MODES for backend in BACKENDS
+                  for number in chance.sample(range(1, count + 1), -(-count // 10))]
     total = len(cases)
     if runs < total:
         cases = chance.sample(cases, runs)
 
     def share(worker):
-        return [one(program, places[worker], libraries, job, old, new, mode, number)
-                for places, job, old, new, mode, number in cases[worker::workers]]
+        return [one(program, places[worker], libraries, *case)
+                for places, *case in cases[worker::workers]]
 
     with concurrent.futures.ThreadPoolExecutor(workers) as pool:
         for outcomes in pool.map(share, range(workers)):
