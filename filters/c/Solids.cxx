@@ -275,8 +275,7 @@ winding_status winding_orient(winding_array points, const winding_polygons* poly
       Call call(run);
       const winding::Surface surface = winding::sanitize(triangles.views(), call.executor);
       const winding::PolygonParts parts = winding::polygonPartsOf(triangles.views());
-      const winding::Orientation found =
-        winding::orient(surface, winding::edgesOf(surface, call.executor), parts, call.executor);
+      const winding::Orientation found = winding::orient(surface, parts, call.executor);
       if (turned_triangles)
       {
         *turned_triangles = static_cast<int64_t>(found.triangles);

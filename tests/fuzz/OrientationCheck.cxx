@@ -6,11 +6,14 @@
 
 #include "base/Refusal.h"
 #include "report/SurfaceReport.h"
+#include "source/CoordinateOrder.h"
 #include "source/Sanitize.h"
+#include "surface/CanonicalOrder.h"
 #include "surface/Orientation.h"
 #include "surface/RepeatedFaces.h"
 
 #include <algorithm>
+#include <numeric>
 
 /**
  * @file
@@ -48,7 +51,9 @@ std::size_t disagreements(const SurfaceEdges& edges)
 std::string checkOnce(
   const Surface& surface, const Orientation& found, const PolygonParts& parts, Executor& executor)
 {
-  const RepeatedFaces faces = repeatedFaces(surface, parts);
+  // Which flat polygons faces make may depend on their order.
+  const CanonicalOrder ordered = inCanonicalOrder(surface, parts);
+  const RepeatedFaces faces = repeatedFaces(ordered.surface, ordered.parts);
   Surface rest = surface;
   apply(found, rest);
   const auto leftOut =
@@ -59,7 +64,7 @@ std::string checkOnce(
   }
   for (std::size_t i = 0; i < faces.kinds.size(); ++i)
   {
-    if (found.isLeftOut[i] && faces.kinds[i] == FaceKind::single)
+    if (found.isLeftOut[ordered.numbers[i]] && faces.kinds[i] == FaceKind::single)
     {
       return "a face that is there once is left out";
     }
@@ -68,6 +73,40 @@ std::string checkOnce(
   return !parts.empty() || contradictionsOf(rest, edges).edges == 0
            ? std::string()
            : "triangles disagree once faces are left out";
+}
+
+/// Checks that orientation depends on the set of triangles, not on their order.
+std::string checkOrder(const Surface& surface, const Orientation& found, Choices& choices)
+{
+  std::vector<std::size_t> numbers(surface.triangles.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  for (std::size_t i = numbers.size(); i > 1; --i)
+  {
+    std::swap(
+      numbers[i - 1], numbers[static_cast<std::size_t>(choices.below(static_cast<int>(i)))]);
+  }
+  Surface ordered = surface;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    ordered.triangles[i] = surface.triangles[numbers[i]];
+  }
+  SerialExecutor serial;
+  const Orientation again = orient(ordered, {}, serial);
+  Surface expected = surface, result = ordered;
+  apply(found, expected);
+  apply(again, result);
+  const OrderedTriangles a = inCoordinateOrder(expected.vertices, expected);
+  const OrderedTriangles b = inCoordinateOrder(result.vertices, result);
+  const auto isSame = [&](const Triangle& s, const Triangle& t)
+  {
+    return expected.vertices[s[0]] == result.vertices[t[0]] &&
+           expected.vertices[s[1]] == result.vertices[t[1]] &&
+           expected.vertices[s[2]] == result.vertices[t[2]];
+  };
+  return std::equal(
+           a.triangles.begin(), a.triangles.end(), b.triangles.begin(), b.triangles.end(), isSame)
+           ? std::string()
+           : "orientation depends on the order of triangles";
 }
 
 std::string checkAny(Choices& choices)
@@ -91,12 +130,16 @@ std::string checkAny(Choices& choices)
   SerialExecutor serial;
   BackwardExecutor backward;
   const SurfaceEdges edges = edgesOf(surface, serial);
-  const Orientation found = orient(surface, edges, parts, serial);
-  const Orientation again = orient(surface, edgesOf(surface, backward), parts, backward);
+  const Orientation found = orient(surface, parts, serial);
+  const Orientation again = orient(surface, parts, backward);
   if (found.isTurned != again.isTurned || found.isLeftOut != again.isLeftOut ||
       found.triangles != again.triangles || found.components != again.components)
   {
     return "orientation depends on the executor";
+  }
+  if (std::string fault; parts.empty() && !(fault = checkOrder(surface, found, choices)).empty())
+  {
+    return fault;
   }
   const auto count =
     static_cast<std::size_t>(std::count(found.isTurned.begin(), found.isTurned.end(), char(1)));
@@ -144,15 +187,59 @@ std::string checkSolid(Choices& choices)
     flips.push_back(choices.oneIn(rarity));
   }
   const Surface shuffled = turned(solid, flips);
-  const Orientation found = orient(shuffled, edgesOf(shuffled, serial), {}, serial);
+  const Orientation found = orient(shuffled, {}, serial);
   return found.isTurned == flips ? std::string() : "a solid is not turned outward again";
+}
+
+/// Checks that boxes that touch stay as they are where triangles of them are missing.
+std::string checkHoles(Choices& choices)
+{
+  Mesh mesh;
+  const int counts[3] = {1 + choices.below(3), 1 + choices.below(3), 1 + choices.below(3)};
+  for (int n = 0; n < counts[0] * counts[1] * counts[2]; ++n)
+  {
+    const shapes::Point low(n % counts[0], n / counts[0] % counts[1], n / counts[0] / counts[1]);
+    mesh = choices.oneIn(8) ? mesh : mesh.with(shapes::cube(low, low + shapes::Point(1, 1, 1)));
+  }
+  // Holes of which no two touch: what lies between those that do may belong to either.
+  std::vector<shapes::Point> rims;
+  for (int missing = choices.below(6); missing > 0 && mesh.triangles.size() > 1; --missing)
+  {
+    const auto hole =
+      mesh.triangles.begin() + choices.below(static_cast<int>(mesh.triangles.size()));
+    const auto isFree = [&](std::int32_t corner)
+    {
+      return std::find(rims.begin(), rims.end(), mesh.points[corner]) == rims.end();
+    };
+    if (std::all_of(hole->begin(), hole->end(), isFree))
+    {
+      for (const std::int32_t corner : *hole)
+      {
+        rims.push_back(mesh.points[corner]);
+      }
+      mesh.triangles.erase(hole);
+    }
+  }
+  if (mesh.triangles.empty())
+  {
+    return {};
+  }
+  const Surface surface = shapes::clean(mesh);
+  SerialExecutor serial;
+  const Orientation found = orient(surface, {}, serial);
+  const bool isAnyLeftOut =
+    std::find(found.isLeftOut.begin(), found.isLeftOut.end(), char(1)) != found.isLeftOut.end();
+  return found.triangles == 0 && !isAnyLeftOut ? checkOrder(surface, found, choices)
+                                               : "boxes with holes do not stay as they are";
 }
 
 } // namespace
 
 std::string checkOrientation(Choices& choices)
 {
-  return choices.oneIn(3) ? checkSolid(choices) : checkAny(choices);
+  return choices.oneIn(3)   ? checkSolid(choices)
+         : choices.oneIn(3) ? checkHoles(choices)
+                            : checkAny(choices);
 }
 
 } // namespace fuzz

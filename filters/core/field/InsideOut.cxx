@@ -3,7 +3,6 @@
 #include "field/InsideOut.h"
 
 #include "cloud/CloudOrientation.h"
-#include "surface/ClosedComponents.h"
 #include "surface/NearlyClosed.h"
 #include "surface/Openings.h"
 
@@ -20,17 +19,20 @@ namespace
 /// lids would close. Others have no side that is inside, however they are turned.
 bool hasInvertedPart(const Surface& surface, Executor& executor)
 {
-  Surface closed = surface;
   const SurfaceEdges edges = edgesOf(surface, executor);
   Components components = componentsOf(surface, edges);
-  closeNearlyClosed(closed, edges, components);
-  const std::vector<ClosedComponent> parts = closedComponents(closed, components, executor);
-  if (std::any_of(
-        parts.begin(), parts.end(), [](const ClosedComponent& part) { return part.isInverted(); }))
+  std::vector<char> isCapped;
+  const std::vector<JudgedComponent> parts =
+    judgedComponents(surface, edges, components, isCapped, executor);
+  if (std::any_of(parts.begin(), parts.end(),
+        [](const JudgedComponent& part) { return part.lies.isInverted() && !part.isUnclear; }))
   {
     return true;
   }
-  components.ofTriangle.resize(surface.triangles.size()); // without caps
+  for (std::size_t i = 0; i < isCapped.size(); ++i)
+  {
+    components.isClosed[i] |= isCapped[i];
+  }
   const std::vector<OpenComponent> open = openComponents(surface, components, executor);
   return std::any_of(open.begin(), open.end(),
     [](const OpenComponent& part) { return sideBehindLids(part.edges, part.surface) < 0; });

@@ -116,7 +116,7 @@ void SurfaceField::complete(
   mirror.addTo(surface_, parts);
   const auto orientNow = [&]
   {
-    const Orientation found = orient(surface_, edgesOf(surface_, executor), parts, executor);
+    const Orientation found = orient(surface_, parts, executor);
     apply(found, surface_);
     if (!found.isLeftOut.empty())
     {
@@ -235,10 +235,12 @@ void SurfaceField::warnOfRepeatedFaces(const BoundaryChain& chain,
   {
     return;
   }
-  const PolygonParts parts = polygonPartsOf(views);
-  // Parts that were left out have taken polygons' numbers with them.
-  const bool areAll = parts.size() == surface_.triangles.size();
-  const RepeatedFaces faces = repeatedFaces(surface_, areAll ? parts : PolygonParts());
+  PolygonParts parts = polygonPartsOf(views);
+  if (parts.size() != surface_.triangles.size())
+  {
+    parts.clear(); // parts that were left out have taken polygons' numbers with them
+  }
+  const RepeatedFaces faces = repeatedFaces(surface_, parts);
   info_.hasNoSides = faces.cancelAll();
   if (info_.hasNoSides)
   {
@@ -246,7 +248,8 @@ void SurfaceField::warnOfRepeatedFaces(const BoundaryChain& chain,
   }
   else if (faces.areAny())
   {
-    const std::vector<char> isLeftOut = facesToLeaveOut(surface_, edgesOnce(), faces, executor);
+    const std::vector<char> isLeftOut =
+      facesToLeaveOut(surface_, edgesOnce(), faces, parts, executor);
     const auto count =
       static_cast<std::size_t>(std::count(isLeftOut.begin(), isLeftOut.end(), char(1)));
     if (count > 0)

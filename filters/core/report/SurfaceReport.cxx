@@ -6,7 +6,6 @@
 #include "base/DisjointSets.h"
 #include "source/DistinctPoints.h"
 #include "source/UnitScale.h"
-#include "surface/ClosedComponents.h"
 #include "surface/NearlyClosed.h"
 #include "surface/OpenParts.h"
 #include "surface/Orientation.h"
@@ -24,31 +23,13 @@ OrientationCounts countOrientations(
   const Surface& surface, const SurfaceEdges& edges, Executor& executor)
 {
   OrientationCounts counts;
-  Components components = componentsOf(surface, edges);
-  const std::vector<char> isClosed = components.isClosed;
-  const auto count = [&counts](const ClosedComponent& component)
+  std::vector<char> isCapped;
+  for (const JudgedComponent& judged :
+    judgedComponents(surface, edges, componentsOf(surface, edges), isCapped, executor))
   {
-    counts.inverted += component.isInverted();
-    counts.nestedSolids += component.isNestedSolid();
-  };
-  for (const ClosedComponent& component : closedComponents(surface, components, executor))
-  {
-    ++counts.closed;
-    count(component);
-  }
-  if (counts.closed < components.size())
-  {
-    // Nearly closed components may lie in others, but make no cavity of a closed one.
-    Surface closed = surface;
-    closeNearlyClosed(closed, edges, components);
-    for (const ClosedComponent& component : closedComponents(closed, components, executor))
-    {
-      if (!isClosed[static_cast<std::size_t>(component.component)])
-      {
-        ++counts.nearlyClosed;
-        count(component);
-      }
-    }
+    ++(judged.isNearlyClosed ? counts.nearlyClosed : counts.closed);
+    counts.inverted += judged.lies.isInverted() && !judged.isUnclear;
+    counts.nestedSolids += judged.lies.isNestedSolid() && !judged.isUnclear;
   }
   const Contradictions contradictions = contradictionsOf(surface, edges);
   counts.contradictions = contradictions.edges;
@@ -130,7 +111,7 @@ SurfaceReport reportOn(
   }
   if (faces.areAny())
   {
-    const std::vector<char> isLeftOut = facesToLeaveOut(surface, edges, faces, executor);
+    const std::vector<char> isLeftOut = facesToLeaveOut(surface, edges, faces, parts, executor);
     report.mendableTriangles =
       static_cast<std::size_t>(std::count(isLeftOut.begin(), isLeftOut.end(), char(1)));
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/NearlyClosed.h"
 
+#include "source/CompareCoordinates.h"
 #include "source/UnitScale.h"
 #include "surface/BoundaryLoops.h"
 #include "surface/Cap.h"
@@ -58,6 +59,7 @@ class OwnBoundaries
 {
 public:
   OwnBoundaries(const Surface& surface, const SurfaceEdges& edges, const Components& components)
+    : isLess_{surface.vertices}
   {
     for (const SurfaceEdges::Rim& rim : edges.rims)
     {
@@ -87,7 +89,7 @@ public:
         this->add(component, crowd.low, crowd.high, net);
       }
     }
-    std::sort(vertices_.begin(), vertices_.end());
+    std::sort(vertices_.begin(), vertices_.end(), isLess_);
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   }
 
@@ -107,6 +109,9 @@ public:
       const std::int32_t high = this->numberOf({edge.component, edge.high});
       chain.push_back({edge.net > 0 ? low : high, edge.net > 0 ? high : low, std::abs(edge.net)});
     }
+    std::sort(chain.begin(), chain.end(),
+      [](const BoundaryEdge& a, const BoundaryEdge& b)
+      { return std::minmax(a.from, a.to) < std::minmax(b.from, b.to); });
     SerialExecutor serial;
     const BoundaryLoops loops = boundaryLoops(chain, vertices_.size(), serial);
     std::vector<OwnCap> result;
@@ -142,9 +147,21 @@ private:
   std::int32_t numberOf(const OwnVertex& vertex) const
   {
     return static_cast<std::int32_t>(
-      std::lower_bound(vertices_.begin(), vertices_.end(), vertex) - vertices_.begin());
+      std::lower_bound(vertices_.begin(), vertices_.end(), vertex, isLess_) - vertices_.begin());
   }
 
+  /// By coordinates, so that caps do not depend on the order of vertices.
+  struct IsLess
+  {
+    bool operator()(const OwnVertex& a, const OwnVertex& b) const
+    {
+      return a.first != b.first ? a.first < b.first
+                                : compareCoordinates(vertices[a.second], vertices[b.second]) < 0;
+    }
+    const std::vector<Eigen::Vector3d>& vertices;
+  };
+
+  IsLess isLess_;
   std::vector<Edge> edges_;
   std::vector<OwnVertex> vertices_;
 };
@@ -170,8 +187,8 @@ std::vector<char> capNearlyClosed(
   }
   std::vector<char> isCapped(components.size(), 0);
   // A larger cap makes w differ less between the two sides of the surface, so that the side shows
-  // less.
-  constexpr double mostOfArea = 0.5;
+  // less. Caps of just half the area are common, and rounding must not decide about them.
+  constexpr double mostOfArea = 0.5 + 1e-9;
   for (const auto& [component, cap] : caps)
   {
     if (capAreas[component] <= mostOfArea * areas[component])
@@ -184,11 +201,38 @@ std::vector<char> capNearlyClosed(
   return isCapped;
 }
 
-void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& components)
+std::vector<JudgedComponent> judgedComponents(const Surface& surface, const SurfaceEdges& edges,
+  const Components& components, std::vector<char>& isCapped, Executor& executor)
 {
-  const std::size_t count = surface.triangles.size();
-  const std::vector<char> isCapped = capNearlyClosed(surface, edges, components);
-  addMiddles(surface, components, isCapped, count);
+  std::vector<JudgedComponent> result;
+  for (const ClosedComponent& closed : closedComponents(surface, components, executor))
+  {
+    result.push_back({closed, false, false});
+  }
+  isCapped.assign(components.size(), 0);
+  if (result.size() == components.size())
+  {
+    return result;
+  }
+  Surface capped = surface;
+  Components solids = components;
+  isCapped = capNearlyClosed(capped, edges, solids);
+  addMiddles(capped, solids, isCapped, surface.triangles.size());
+  std::size_t next = 0; // of the closed ones, which come in the same order
+  std::vector<JudgedComponent> alone = std::move(result);
+  result.clear();
+  for (const ClosedComponent& closed : closedComponents(capped, solids, executor))
+  {
+    JudgedComponent judged = {closed, true, false};
+    if (!isCapped[closed.component])
+    {
+      const bool isWrongToo = judged.isWrong();
+      judged = alone[next++];
+      judged.isUnclear = judged.isWrong() != isWrongToo;
+    }
+    result.push_back(judged);
+  }
+  return result;
 }
 
 } // namespace winding

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "source/Surface.h"
-#include "surface/Components.h"
+#include "surface/ClosedComponents.h"
 
 #include <vector>
 
@@ -22,8 +22,22 @@ namespace winding
 std::vector<char> capNearlyClosed(
   Surface& surface, const SurfaceEdges& edges, Components& components);
 
-/// Does the same, and appends the middles of the capped components' own triangles to the surface's
-/// vertices: closedComponents() needs them.
-void closeNearlyClosed(Surface& surface, const SurfaceEdges& edges, Components& components);
+/// A closed or nearly closed component, and how it lies in others.
+struct JudgedComponent
+{
+  /// As it lies in other closed components; one that is nearly closed, also in nearly closed ones.
+  ClosedComponent lies;
+  bool isNearlyClosed;
+  /// Whether a closed component has the wrong sense only if nearly closed ones count as closed, or
+  /// only if they do not: a cavity in a skin with a hole, say, or a ball in a tub.
+  bool isUnclear;
+
+  bool isWrong() const { return lies.isInverted() || lies.isNestedSolid(); }
+};
+
+/// Judges all components that are closed or nearly closed; the same for every executor. `isCapped`
+/// receives by component whether it is nearly closed. Throws Interrupted.
+std::vector<JudgedComponent> judgedComponents(const Surface& surface, const SurfaceEdges& edges,
+  const Components& components, std::vector<char>& isCapped, Executor& executor);
 
 } // namespace winding

@@ -6,13 +6,13 @@
 #include "base/FieldOutput.h"
 #include "base/Progress.h"
 #include "rays/PointCrossings.h"
+#include "surface/CanonicalOrder.h"
 #include "surface/Components.h"
 #include "surface/NearlyClosed.h"
 #include "surface/RepeatedFaces.h"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace winding
@@ -20,13 +20,6 @@ namespace winding
 
 namespace
 {
-
-/// Returns the sum of the senses of all triangles at an edge.
-std::int32_t netOf(const SurfaceEdges& edges, const SurfaceEdges::Crowd& crowd)
-{
-  return std::accumulate(edges.begin(crowd), edges.end(crowd), std::int32_t{0},
-    [](std::int32_t sum, const SurfaceEdges::Use& use) { return sum + use.sense; });
-}
 
 /// The sets of triangles that could be sheets by their edges.
 class SheetsByEdges
@@ -48,7 +41,7 @@ public:
     }
     for (const SurfaceEdges::Crowd& crowd : edges.crowds)
     {
-      const std::int32_t net = netOf(edges, crowd);
+      const std::int32_t net = edges.net(crowd);
       edges.forEachSet(crowd, sets_,
         [&](std::int32_t set, std::int32_t own)
         {
@@ -261,18 +254,11 @@ FoundSheets lookInside(const Surface& surface, std::vector<char> isSheet, Execut
   return found;
 }
 
-} // namespace
-
-OpenParts openPartsInside(const Surface& surface, const SurfaceEdges& edges, Executor& executor)
+/// Finds the open parts of a surface in canonical order.
+OpenParts openPartsInOrder(const Surface& surface, Executor& executor)
 {
   OpenParts result;
-  const bool isClosed = edges.rims.empty() && std::all_of(edges.crowds.begin(), edges.crowds.end(),
-                                                [&edges](const SurfaceEdges::Crowd& crowd)
-                                                { return netOf(edges, crowd) == 0; });
-  if (isClosed)
-  {
-    return result;
-  }
+  const SurfaceEdges edges = edgesOf(surface, executor);
   SheetsByEdges byEdges(surface, edges);
   FoundSheets found;
   // A set that was chosen as a partition and is not inside is rejected; others get its place.
@@ -306,6 +292,23 @@ OpenParts openPartsInside(const Surface& surface, const SurfaceEdges& edges, Exe
       result.isInside[found.numbers[i]] = found.isInside[i];
     }
   }
+  return result;
+}
+
+} // namespace
+
+OpenParts openPartsInside(const Surface& surface, const SurfaceEdges& edges, Executor& executor)
+{
+  const bool isClosed = edges.rims.empty() && std::all_of(edges.crowds.begin(), edges.crowds.end(),
+                                                [&edges](const SurfaceEdges::Crowd& crowd)
+                                                { return edges.net(crowd) == 0; });
+  if (isClosed)
+  {
+    return {};
+  }
+  const CanonicalOrder ordered = inCanonicalOrder(surface, {});
+  OpenParts result = openPartsInOrder(ordered.surface, executor);
+  result.isInside = ordered.given(result.isInside);
   return result;
 }
 

@@ -5,7 +5,9 @@
 #include "base/DisjointSets.h"
 #include "source/UnitScale.h"
 #include "surface/Boundary.h"
+#include "surface/CanonicalOrder.h"
 #include "surface/NearlyClosed.h"
+#include "surface/OddCaps.h"
 #include "surface/OpenParts.h"
 #include "surface/Openings.h"
 #include "surface/RepeatedFaces.h"
@@ -103,14 +105,19 @@ struct TurnedArea
     double& part = isTurned ? turned : kept;
     part += area;
   }
-  bool isMostlyTurned() const { return turned > kept; }
+  bool isMostlyTurned() const
+  {
+    constexpr double rounding = 1e-9;
+    return turned - kept > rounding * kept;
+  }
 };
 
 /// Decides which patches steps 1 and 2 turn; a patch counts as turned if its first triangle is.
 class PatchSenses
 {
 public:
-  PatchSenses(const Surface& surface, const SurfaceEdges& edges, const Patches& patches)
+  PatchSenses(
+    const Surface& surface, const SurfaceEdges& edges, const Patches& patches, Executor& executor)
     : edges_(edges)
     , patches_(patches)
     , isTurned_(surface.triangles.size(), 0)
@@ -128,7 +135,7 @@ public:
     }
     if (!edges_.crowds.empty())
     {
-      this->separateRegions(surface);
+      this->separateRegions(surface, executor);
       this->cancelAtCrowds(areas);
     }
   }
@@ -141,10 +148,29 @@ public:
   const std::vector<double>& areas() const { return areas_; }
 
 private:
-  /// Turns the patches that do not cancel where they meet, and all that are connected with them, so
-  /// that solids and what is empty alternate (Shells.h). Others overlap, maybe, and stay.
-  void separateRegions(const Surface& surface)
+  /// Returns for each triangle whether the senses of all that are connected with it contradict each
+  /// other once holes are capped.
+  std::vector<char> contradict(const Surface& surface, Executor& executor) const
   {
+    Surface capped = surface;
+    const TriangleList caps = oddCaps(surface, edges_);
+    capped.triangles.insert(capped.triangles.end(), caps.begin(), caps.end());
+    std::vector<char> isTurned;
+    for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+    {
+      isTurned.push_back(this->isTurned(i));
+    }
+    std::vector<std::int32_t> counts(surface.triangles.size(), 1);
+    isTurned.resize(capped.triangles.size(), 0);
+    counts.resize(capped.triangles.size(), 0);
+    return Shells(capped, edgesOf(capped, executor)).contradict(isTurned, counts);
+  }
+
+  /// Turns the patches that do not cancel where they meet, and all that are connected with them, so
+  /// that solids and what is empty alternate (Shells.h), where their senses contradict each other.
+  void separateRegions(const Surface& surface, Executor& executor)
+  {
+    const std::vector<char> contradicts = this->contradict(surface, executor);
     DisjointSets sets(isTurned_.size());
     std::vector<std::int32_t> open;
     for (const SurfaceEdges::Crowd& edge : edges_.crowds)
@@ -156,10 +182,14 @@ private:
         net += this->isTurned(triangle) ? -use->sense : use->sense;
         sets.unite(patches_.of(edges_.begin(edge)->triangle), patches_.of(triangle));
       }
-      if (net != 0)
+      if (net != 0 && contradicts[edges_.begin(edge)->triangle])
       {
         open.push_back(patches_.of(edges_.begin(edge)->triangle));
       }
+    }
+    if (open.empty())
+    {
+      return;
     }
     std::vector<char> isOpen(isTurned_.size(), 0);
     for (const std::int32_t patch : open)
@@ -322,27 +352,13 @@ void turn(Surface& surface, const std::vector<char>& isTurned)
   }
 }
 
-/// Decides for each closed component whether to turn it, and leaves isTurned as it is where nothing
-/// tells.
-void decideByNesting(const Surface& surface, const Components& components,
-  std::vector<char>& isTurned, Executor& executor)
-{
-  for (const ClosedComponent& solid : closedComponents(surface, components, executor))
-  {
-    if (solid.sense != 0)
-    {
-      isTurned[solid.component] = solid.isInverted() || solid.isNestedSolid();
-    }
-  }
-}
-
-/// Decides for each open component whether to turn it, where flat lids would close it.
-void decideByLids(const Surface& surface, const Components& components, const Components& solids,
-  std::vector<char>& isTurned, Executor& executor)
+/// Decides for each component that stays open whether to turn it, where flat lids would close it.
+void decideByLids(const Surface& surface, const Components& components,
+  const std::vector<char>& isCapped, std::vector<char>& isTurned, Executor& executor)
 {
   for (const OpenComponent& open : openComponents(surface, components, executor))
   {
-    const int side = solids.isClosed[open.component] ? 0 : sideBehindLids(open.edges, open.surface);
+    const int side = isCapped[open.component] ? 0 : sideBehindLids(open.edges, open.surface);
     if (side != 0)
     {
       isTurned[open.component] = side < 0;
@@ -350,26 +366,27 @@ void decideByLids(const Surface& surface, const Components& components, const Co
   }
 }
 
-/// Finds for each component whether step 3 turns it.
+/// Finds for each component whether step 3 turns it. `areas` are what steps 1 and 2 turn of it.
 std::vector<char> componentsToTurn(const Surface& turned, const SurfaceEdges& edges,
   const Components& components, const std::vector<TurnedArea>& areas,
   const std::vector<char>& isFixed, Executor& executor)
 {
-  Surface closedUp = turned;
-  Components solids = components;
-  closeNearlyClosed(closedUp, edges, solids);
-  std::vector<char> result(components.size());
+  std::vector<char> result(components.size()), isCapped;
   for (std::size_t i = 0; i < result.size(); ++i)
   {
     result[i] = areas[i].isMostlyTurned();
   }
-  if (solids.isClosed != components.isClosed)
+  for (const JudgedComponent& judged :
+    judgedComponents(turned, edges, components, isCapped, executor))
   {
-    decideByNesting(closedUp, solids, result, executor);
+    const std::int32_t component = judged.lies.component;
+    const bool isAsGiven = areas[component].turned == 0;
+    if (judged.lies.sense != 0)
+    {
+      result[component] = judged.isWrong() && !(judged.isUnclear && isAsGiven);
+    }
   }
-  decideByLids(turned, components, solids, result, executor);
-  // Closed components are decided last and without caps: one that only a cap encloses is no cavity.
-  decideByNesting(turned, components, result, executor);
+  decideByLids(turned, components, isCapped, result, executor);
   for (std::size_t i = 0; i < result.size(); ++i)
   {
     result[i] = result[i] && !isFixed[i];
@@ -410,7 +427,7 @@ Orientation orientOnce(
   const Surface& surface, const SurfaceEdges& edges, const PolygonParts& parts, Executor& executor)
 {
   const Patches patches(surface, edges, parts);
-  const PatchSenses senses(surface, edges, patches);
+  const PatchSenses senses(surface, edges, patches, executor);
   const std::size_t count = surface.triangles.size();
   Orientation result;
   result.isTurned.resize(count);
@@ -445,18 +462,17 @@ Orientation orientOnce(
   return result;
 }
 
-} // namespace
-
-Orientation orient(
-  const Surface& surface, const SurfaceEdges& edges, const PolygonParts& parts, Executor& executor)
+/// Orients a surface in canonical order.
+Orientation orientInOrder(const Surface& surface, const PolygonParts& parts, Executor& executor)
 {
+  const SurfaceEdges edges = edgesOf(surface, executor);
   const RepeatedFaces faces = repeatedFaces(surface, parts);
   if (!faces.areAny())
   {
     return orientOnce(surface, edges, parts, executor);
   }
   Orientation result;
-  result.isLeftOut = facesToLeaveOut(surface, edges, faces, executor);
+  result.isLeftOut = facesToLeaveOut(surface, edges, faces, parts, executor);
   SurfacePart once(surface, result.isLeftOut, false);
   SurfaceEdges edgesOfOnce = edgesOf(once.chain, executor);
   if (!agreesEverywhere(edgesOfOnce))
@@ -494,6 +510,17 @@ Orientation orient(
     const bool isOfPair = faces.kinds[once.numbers[i]] == FaceKind::facing;
     result.isLeftOut[once.numbers[i]] = sheets.isInside[i] && isOfPair;
   }
+  return result;
+}
+
+} // namespace
+
+Orientation orient(const Surface& surface, const PolygonParts& parts, Executor& executor)
+{
+  const CanonicalOrder ordered = inCanonicalOrder(surface, parts);
+  Orientation result = orientInOrder(ordered.surface, ordered.parts, executor);
+  result.isTurned = ordered.given(result.isTurned);
+  result.isLeftOut = ordered.given(result.isLeftOut);
   return result;
 }
 

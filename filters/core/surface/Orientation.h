@@ -29,22 +29,25 @@ struct Orientation
  *    connected set of these triangles, that admits this is turned as a whole from here on, at first
  *    so that at most half of its area is turned. A patch that does not, a Möbius strip say, stays
  *    as it is.
- * 2. Where more than two triangles meet and do not cancel, patches that are connected with them are
- *    turned so that the regions that they separate are empty and solid in turn (Shells.h). Where
- *    these contradict each other, patches are turned, small ones first, as long as that makes more
- *    of the triangles cancel.
+ * 2. Where more than two triangles meet and contradict each other, holes being capped (OddCaps.h),
+ *    patches that are connected with them are turned so that the regions that they separate are
+ *    empty and solid in turn (Shells.h). Where that is unclear, patches are turned, small ones
+ *    first, as long as that makes more of the triangles cancel.
  * 3. Components (Components.h) that are closed then are turned so that those inside an even number
  *    of other closed ones are oriented outward, and those inside an odd number, cavities, inward
  *    (ClosedComponents.h). Nearly closed components (NearlyClosed.h) are turned likewise, except
- *    that other nearly closed ones count for them, too. Open or flat components are turned so that
- *    at most half of their area is turned, or outward if flat lids would close them (Openings.h).
- *    Components with a patch that stays in step 1 stay as they are.
+ *    that other nearly closed ones count for them, too. A closed component whose triangles agreed
+ *    stays where that depends on nearly closed ones: a cavity in a skin with a hole, or a ball in a
+ *    tub. Open or flat components are turned so that at most half of their area is turned, or
+ *    outward if flat lids would close them (Openings.h). Components with a patch that stays in
+ *    step 1 stay as they are.
  *
- * So a surface whose triangles agree stays as it is, except for inverted components and nested
- * solids. The result is the same for every executor, and takes O(n log n) time. Throws Interrupted.
+ * So a surface whose triangles agree stays as it is, except for inverted components, nested solids
+ * and faces that are there more than once in one sense. The result depends on the set of triangles
+ * and polygons, not on their order, except that equal faces stand for each other. It is the same
+ * for every executor, and takes O(n log n) time. Throws Interrupted.
  */
-Orientation orient(
-  const Surface& surface, const SurfaceEdges& edges, const PolygonParts& parts, Executor& executor);
+Orientation orient(const Surface& surface, const PolygonParts& parts, Executor& executor);
 
 /// Turns triangles of a surface round, and removes those that are left out.
 void apply(const Orientation& orientation, Surface& surface);

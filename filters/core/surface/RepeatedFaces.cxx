@@ -4,166 +4,17 @@
 
 #include "base/DisjointSets.h"
 #include "surface/FacesByCorners.h"
+#include "surface/OddCaps.h"
 #include "surface/Shells.h"
 
 #include <algorithm>
-#include <utility>
+#include <optional>
 
 namespace winding
 {
 
 namespace
 {
-
-/// The uses of an edge by faces of two kinds.
-struct UsesOfEdge
-{
-  std::size_t counted = 0;
-  std::vector<std::int32_t> listed; ///< triangles
-};
-
-/// Calls visit(uses) for each edge with listed faces. `add` puts a triangle into the uses.
-template <class Add, class Visit>
-void forEachEdgeOfListed(const SurfaceEdges& edges, const Add& add, const Visit& visit)
-{
-  UsesOfEdge uses;
-  const auto visitIfUsed = [&]
-  {
-    if (!uses.listed.empty())
-    {
-      visit(uses);
-    }
-    uses = UsesOfEdge();
-  };
-  for (const SurfaceEdges::Rim& rim : edges.rims)
-  {
-    add(rim.triangle, uses);
-    visitIfUsed();
-  }
-  for (const SurfaceEdges::Pair& pair : edges.pairs)
-  {
-    add(pair.triangles[0], uses);
-    add(pair.triangles[1], uses);
-    visitIfUsed();
-  }
-  for (const SurfaceEdges::Crowd& crowd : edges.crowds)
-  {
-    for (const SurfaceEdges::Use* use = edges.begin(crowd); use != edges.end(crowd); ++use)
-    {
-      add(use->triangle, uses);
-    }
-    visitIfUsed();
-  }
-}
-
-/// Connected sets of listed faces, and how other faces meet their edges.
-class ListedSets
-{
-public:
-  /// Sets go on through edges that other faces meet only if `areOnePastOthers`.
-  template <class Add>
-  ListedSets(
-    const SurfaceEdges& edges, const RepeatedFaces& faces, const Add& add, bool areOnePastOthers)
-    : sets_(faces.kinds.size())
-    , meetsOdd_(faces.kinds.size(), 0)
-    , meetsEven_(faces.kinds.size(), 0)
-  {
-    forEachEdgeOfListed(edges, add,
-      [&](const UsesOfEdge& uses)
-      {
-        for (const std::int32_t triangle : uses.listed)
-        {
-          if (uses.counted == 0 || areOnePastOthers)
-          {
-            sets_.unite(uses.listed.front(), triangle);
-          }
-        }
-      });
-    std::vector<std::pair<std::int32_t, std::int32_t>> groups; // at an edge, by set
-    forEachEdgeOfListed(edges, add,
-      [&](const UsesOfEdge& uses)
-      {
-        groups.clear();
-        for (const std::int32_t triangle : uses.listed)
-        {
-          groups.emplace_back(sets_.find(triangle), faces.groups[triangle]);
-        }
-        std::sort(groups.begin(), groups.end());
-        groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
-        for (std::size_t first = 0, last; first < groups.size(); first = last)
-        {
-          const std::int32_t set = groups[first].first;
-          for (last = first; last < groups.size() && groups[last].first == set; ++last)
-          {
-          }
-          const bool isRim = (last - first) % 2 == 1;
-          meetsOdd_[set] |= static_cast<char>(uses.counted % 2 == 1);
-          meetsEven_[set] |= static_cast<char>(isRim && uses.counted > 0 && uses.counted % 2 == 0);
-        }
-      });
-  }
-
-  /// Returns whether a triangle is of a wall: even numbers of other faces meet the set's edges, and
-  /// its rim at some. A solid that touches others has no rim.
-  bool isOfWall(std::size_t triangle)
-  {
-    const std::int32_t set = sets_.find(static_cast<std::int32_t>(triangle));
-    return meetsEven_[set] && !meetsOdd_[set];
-  }
-
-private:
-  DisjointSets sets_;
-  std::vector<char> meetsOdd_, meetsEven_; ///< by the first triangle of a set
-};
-
-/// Leaves out the walls between solids that touch, of the faces that `mayBeOfWall` is true for.
-/// Returns whether there are any.
-template <class MayBeOfWall>
-bool leaveOutWalls(const SurfaceEdges& edges, const RepeatedFaces& faces,
-  const MayBeOfWall& mayBeOfWall, std::vector<char>& isLeftOut)
-{
-  const auto add = [&](std::int32_t triangle, UsesOfEdge& uses)
-  {
-    if (!isLeftOut[triangle] && mayBeOfWall(static_cast<std::size_t>(triangle)))
-    {
-      uses.listed.push_back(triangle);
-    }
-    else
-    {
-      uses.counted += !isLeftOut[triangle];
-    }
-  };
-  ListedSets kept(edges, faces, add, true);
-  bool areAny = false;
-  for (std::size_t i = 0; i < isLeftOut.size(); ++i)
-  {
-    const bool isOfWall = !isLeftOut[i] && mayBeOfWall(i) && kept.isOfWall(i);
-    isLeftOut[i] |= static_cast<char>(isOfWall);
-    areAny |= isOfWall;
-  }
-  return areAny;
-}
-
-/// Leaves out all walls if the faces of one do not cancel: one of its solids was drawn from both
-/// sides, or looks inward. The senses of the others' faces say nothing then.
-void leaveOutUnclearWalls(
-  const SurfaceEdges& edges, const RepeatedFaces& faces, std::vector<char>& isLeftOut)
-{
-  // Skins of solids that are there twice are no walls: walls of three faces or more come first.
-  const bool areOfMany = leaveOutWalls(
-    edges, faces, [&faces](std::size_t i) { return faces.copies[i] > 2; }, isLeftOut);
-  const auto isUnclear = [&faces](std::size_t triangle)
-  {
-    const FaceKind kind = faces.kinds[triangle];
-    return faces.copies[triangle] > 2 || kind == FaceKind::first || kind == FaceKind::repeated;
-  };
-  if (leaveOutWalls(edges, faces, isUnclear, isLeftOut) || areOfMany)
-  {
-    leaveOutWalls(
-      edges, faces, [&faces](std::size_t i) { return faces.kinds[i] != FaceKind::single; },
-      isLeftOut);
-  }
-}
 
 /// Notes the kinds of equal faces, whose numbers are from `first` up to, without, `last`.
 template <class Number>
@@ -198,15 +49,22 @@ void takeEqual(const FacesByCorners& faces, Number first, Number last, RepeatedF
 /// The place of a face between two regions.
 enum class Place : char
 {
-  unknown,
   unclear,
   skin, ///< of a solid
   wall  ///< between two solids
 };
 
-/// Returns the place of each group of equal faces, unclear where its triangles are in several.
-std::vector<Place> placesOf(const Surface& surface, const RepeatedFaces& faces, Executor& executor)
+/// Returns the place of each triangle, unclear where the faces equal to it are in several. Holes are
+/// capped first, and caps that are equal to faces count as copies of them.
+std::vector<Place> placesOf(const Surface& surface, const SurfaceEdges& edges,
+  const RepeatedFaces& uncapped, PolygonParts parts, Executor& executor)
 {
+  const std::size_t own = surface.triangles.size();
+  Surface capped = surface;
+  const TriangleList caps = oddCaps(surface, edges);
+  capped.triangles.insert(capped.triangles.end(), caps.begin(), caps.end());
+  parts.resize(parts.empty() ? 0 : capped.triangles.size(), 0);
+  const RepeatedFaces faces = caps.empty() ? uncapped : repeatedFaces(capped, parts);
   std::vector<char> isFirst;
   std::vector<std::int32_t> counts;
   for (std::size_t i = 0; i < faces.kinds.size(); ++i)
@@ -216,13 +74,13 @@ std::vector<Place> placesOf(const Surface& surface, const RepeatedFaces& faces, 
     isFirst.push_back(static_cast<char>(!isAgain));
     if (!isAgain)
     {
-      counts.push_back(faces.copies[i]);
+      counts.push_back(i < own ? faces.copies[i] : 0);
     }
   }
-  const SurfacePart once(surface, isFirst, true);
+  const SurfacePart once(capped, isFirst, true);
   const Shells shells(once.chain, edgesOf(once.chain, executor));
   const std::vector<Shells::Region> regions = shells.regions(counts);
-  std::vector<Place> places(isFirst.size(), Place::unknown);
+  std::vector<std::optional<Place>> ofGroups(isFirst.size());
   for (std::size_t i = 0; i < once.numbers.size(); ++i)
   {
     const std::int32_t group = faces.groups[once.numbers[i]];
@@ -234,11 +92,44 @@ std::vector<Place> placesOf(const Surface& surface, const RepeatedFaces& faces, 
       const Place place = areSolid                      ? Place::wall
                           : isClear && before != behind ? Place::skin
                                                         : Place::unclear;
-      places[group] =
-        places[group] == Place::unknown || places[group] == place ? place : Place::unclear;
+      ofGroups[group] = ofGroups[group].value_or(place) == place ? place : Place::unclear;
     }
   }
+  std::vector<Place> places(own, Place::unclear);
+  for (std::size_t i = 0; i < own; ++i)
+  {
+    places[i] = faces.groups[i] < 0 ? Place::unclear : *ofGroups[faces.groups[i]];
+  }
   return places;
+}
+
+/// Returns for each triangle whether a single face is connected with it through edges.
+std::vector<char> areWithSingle(const SurfaceEdges& edges, const RepeatedFaces& faces)
+{
+  const std::size_t count = faces.kinds.size();
+  DisjointSets sets(count);
+  for (const SurfaceEdges::Pair& pair : edges.pairs)
+  {
+    sets.unite(pair.triangles[0], pair.triangles[1]);
+  }
+  for (const SurfaceEdges::Crowd& crowd : edges.crowds)
+  {
+    for (const SurfaceEdges::Use* use = edges.begin(crowd); use != edges.end(crowd); ++use)
+    {
+      sets.unite(edges.begin(crowd)->triangle, use->triangle);
+    }
+  }
+  std::vector<char> hasSingle(count, 0), result;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    hasSingle[sets.find(static_cast<std::int32_t>(i))] |=
+      static_cast<char>(faces.kinds[i] == FaceKind::single);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    result.push_back(hasSingle[sets.find(static_cast<std::int32_t>(i))]);
+  }
+  return result;
 }
 
 } // namespace
@@ -293,43 +184,28 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts)
   return result;
 }
 
-std::vector<char> facesToLeaveOut(
-  const Surface& surface, const SurfaceEdges& edges, const RepeatedFaces& faces, Executor& executor)
+std::vector<char> facesToLeaveOut(const Surface& surface, const SurfaceEdges& edges,
+  const RepeatedFaces& faces, const PolygonParts& parts, Executor& executor)
 {
-  const auto isThereBefore = [&faces](std::size_t triangle)
+  const std::vector<Place> places = placesOf(surface, edges, faces, parts, executor);
+  const std::vector<char> isWithSingle = areWithSingle(edges, faces);
+  std::vector<char> isLeftOut;
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
-    const FaceKind kind = faces.kinds[triangle];
-    return kind == FaceKind::repeated || kind == FaceKind::opposite;
-  };
-  const auto add = [&](std::int32_t triangle, UsesOfEdge& uses)
-  {
-    uses.counted += faces.kinds[triangle] == FaceKind::single;
-    if (isThereBefore(static_cast<std::size_t>(triangle)))
-    {
-      uses.listed.push_back(triangle);
-    }
-  };
-  const std::size_t count = surface.triangles.size();
-  ListedSets others(edges, faces, add, false);
-  std::vector<char> isLeftOut(count, 0);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    isLeftOut[i] = isThereBefore(i) && !others.isOfWall(i);
-  }
-  leaveOutUnclearWalls(edges, faces, isLeftOut);
-  const std::vector<Place> places = placesOf(surface, faces, executor);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const std::int32_t group = faces.groups[i];
-    const Place place = group < 0 ? Place::unclear : places[group];
     const FaceKind kind = faces.kinds[i];
-    if (place == Place::skin)
+    const bool isOfPair = kind == FaceKind::facing || kind == FaceKind::opposite;
+    switch (kind == FaceKind::single ? Place::unclear : places[i])
     {
-      isLeftOut[i] = isThereBefore(i);
-    }
-    else if (place == Place::wall)
-    {
-      isLeftOut[i] = kind != FaceKind::facing && kind != FaceKind::opposite;
+    case Place::skin:
+      isLeftOut.push_back(kind == FaceKind::repeated || kind == FaceKind::opposite);
+      break;
+    case Place::wall:
+      isLeftOut.push_back(!isOfPair);
+      break;
+    case Place::unclear:
+      isLeftOut.push_back(
+        kind == FaceKind::repeated || (kind == FaceKind::opposite && !isWithSingle[i]));
+      break;
     }
   }
   return isLeftOut;

@@ -56,13 +56,12 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts);
  * Walls between solids that touch, which bound nothing together, stay as a pair of opposite faces,
  * or are left out where there is none.
  *
- * The regions on both sides of a face separate walls from skins (Shells.h). Where they do not, at
- * open or crossing surfaces, a connected set of faces is a wall if even numbers of single faces
- * meet each of its edges. None of these walls stays where the faces of one do not cancel, as where
- * one of the solids looks inward or was drawn from both sides.
+ * The regions on both sides of a face separate walls from skins (Shells.h), once holes are capped
+ * (OddCaps.h). Where they do not, pairs that are connected with single faces stay, for they cancel,
+ * and of all others one face stays.
  */
 std::vector<char> facesToLeaveOut(const Surface& surface, const SurfaceEdges& edges,
-  const RepeatedFaces& faces, Executor& executor);
+  const RepeatedFaces& faces, const PolygonParts& parts, Executor& executor);
 
 /// Some triangles of a surface, over all of its vertices.
 struct SurfacePart

@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <tuple>
+#include <utility>
 
 namespace winding
 {
@@ -101,59 +104,156 @@ void Shells::measure(const Surface& surface, const std::vector<std::int32_t>& un
   }
 }
 
+namespace
+{
+
+/// The step from the shell before a triangle to the one behind it, or back.
+struct Step
+{
+  std::int32_t from, to;
+  std::int32_t value;
+  std::size_t triangles; ///< number of triangles with this step
+
+  bool isAlike(const Step& step) const
+  {
+    return from == step.from && to == step.to && value == step.value;
+  }
+};
+
+/// Returns distinct steps in order, each with the number of its triangles.
+std::vector<Step> takenTogether(std::vector<Step> steps)
+{
+  std::sort(steps.begin(), steps.end(),
+    [](const Step& a, const Step& b)
+    { return std::tie(a.from, a.to, a.value) < std::tie(b.from, b.to, b.value); });
+  std::size_t kept = 0;
+  for (const Step& step : steps)
+  {
+    if (kept > 0 && steps[kept - 1].isAlike(step))
+    {
+      ++steps[kept - 1].triangles;
+    }
+    else
+    {
+      steps[kept++] = step;
+    }
+  }
+  steps.resize(kept);
+  return steps;
+}
+
+/// Keeps one step from each shell to each other: that of most triangles, the least one of several.
+void keepMostCommon(std::vector<Step>& steps)
+{
+  std::size_t kept = 0;
+  for (const Step& step : steps)
+  {
+    if (kept == 0 || steps[kept - 1].from != step.from || steps[kept - 1].to != step.to)
+    {
+      steps[kept++] = step;
+    }
+    else if (step.triangles > steps[kept - 1].triangles)
+    {
+      steps[kept - 1] = step;
+    }
+  }
+  steps.resize(kept);
+}
+
+constexpr std::int32_t unknown = std::numeric_limits<std::int32_t>::min();
+
+/// Hands the numbers of shells on by steps, one step after the other from those that have one.
+/// after(number, value) is the number behind a step, or unknown. Where several steps reach a shell
+/// first, that of most triangles counts, and then the least number.
+template <class After>
+void handOn(const std::vector<Step>& steps, std::vector<std::int32_t>& numbers, const After& after)
+{
+  std::vector<std::int32_t> reached;
+  for (std::size_t shell = 0; shell < numbers.size(); ++shell)
+  {
+    if (numbers[shell] != unknown)
+    {
+      reached.push_back(static_cast<std::int32_t>(shell));
+    }
+  }
+  struct Found
+  {
+    std::int32_t shell, number;
+    std::size_t triangles;
+  };
+  while (!reached.empty())
+  {
+    std::vector<Found> found;
+    for (const std::int32_t from : reached)
+    {
+      const auto first = std::lower_bound(steps.begin(), steps.end(), from,
+        [](const Step& step, std::int32_t shell) { return step.from < shell; });
+      for (auto step = first; step != steps.end() && step->from == from; ++step)
+      {
+        const std::int32_t number = after(numbers[from], step->value);
+        if (numbers[step->to] == unknown && number != unknown)
+        {
+          found.push_back({step->to, number, step->triangles});
+        }
+      }
+    }
+    std::sort(found.begin(), found.end(),
+      [](const Found& a, const Found& b)
+      {
+        return std::make_tuple(a.shell, b.triangles, a.number) <
+               std::make_tuple(b.shell, a.triangles, b.number);
+      });
+    reached.clear();
+    for (const Found& next : found)
+    {
+      if (numbers[next.shell] == unknown)
+      {
+        numbers[next.shell] = next.number;
+        reached.push_back(next.shell);
+      }
+    }
+  }
+}
+
+} // namespace
+
 std::vector<Shells::Region> Shells::regions(const std::vector<std::int32_t>& counts) const
 {
-  struct Wall
-  {
-    std::int32_t from, to, count;
-  };
-  std::vector<Wall> walls;
+  std::vector<Step> steps;
   for (std::size_t i = 0; i < counts.size(); ++i)
   {
     const std::int32_t front = shells_[2 * i], back = shells_[2 * i + 1];
-    walls.push_back({front, back, counts[i]});
-    walls.push_back({back, front, counts[i]});
-  }
-  std::sort(walls.begin(), walls.end(),
-    [](const Wall& a, const Wall& b)
-    { return std::tie(a.from, a.to, a.count) < std::tie(b.from, b.to, b.count); });
-  walls.erase(std::unique(walls.begin(), walls.end(),
-                [](const Wall& a, const Wall& b)
-                { return a.from == b.from && a.to == b.to && a.count == b.count; }),
-    walls.end());
-  constexpr std::int32_t unknown = -1;
-  std::vector<std::int32_t> numbers(shells_.size(), unknown);
-  DisjointSets reached(shells_.size());
-  std::vector<std::int32_t> contradictions, queue;
-  for (const std::int32_t shell : shells_)
-  {
-    if (byVolume_[shell] == Region::empty && numbers[shell] == unknown)
+    const bool isClear = byVolume_[front] != Region::unclear && byVolume_[back] != Region::unclear;
+    if (counts[i] > 0 && isClear)
     {
-      numbers[shell] = 0;
-      queue.push_back(shell);
+      steps.push_back({front, back, counts[i], 1});
+      steps.push_back({back, front, counts[i], 1});
     }
   }
-  for (std::size_t next = 0; next < queue.size(); ++next)
+  steps = takenTogether(std::move(steps));
+  keepMostCommon(steps);
+  std::vector<std::int32_t> numbers(shells_.size(), unknown);
+  for (const std::int32_t shell : shells_)
   {
-    const std::int32_t from = queue[next];
-    const auto first = std::lower_bound(walls.begin(), walls.end(), from,
-      [](const Wall& wall, std::int32_t shell) { return wall.from < shell; });
-    for (auto wall = first; wall != walls.end() && wall->from == from; ++wall)
+    if (byVolume_[shell] == Region::empty)
     {
-      if (byVolume_[wall->to] == Region::unclear)
+      numbers[shell] = 0;
+    }
+  }
+  handOn(steps, numbers,
+    [](std::int32_t number, std::int32_t count)
+    { return count >= number ? count - number : unknown; });
+  DisjointSets reached(shells_.size());
+  std::vector<std::int32_t> contradictions;
+  for (const Step& step : steps)
+  {
+    if (numbers[step.from] != unknown)
+    {
+      reached.unite(step.from, step.to);
+      const std::int32_t number = step.value - numbers[step.from];
+      if (number < 0 || (number > 0) != (numbers[step.to] > 0))
       {
-        continue;
-      }
-      reached.unite(from, wall->to);
-      const std::int32_t number = wall->count - numbers[from];
-      if (numbers[wall->to] == unknown && number >= 0)
-      {
-        numbers[wall->to] = number;
-        queue.push_back(wall->to);
-      }
-      else if (numbers[wall->to] != number)
-      {
-        contradictions.push_back(from);
+        contradictions.push_back(step.from);
       }
     }
   }
@@ -169,6 +269,45 @@ std::vector<Shells::Region> Shells::regions(const std::vector<std::int32_t>& cou
     result.push_back(numbers[shell] == unknown || isUnclear[reached.find(shell)] ? Region::unclear
                      : numbers[shell] == 0                                       ? Region::empty
                                                                                  : Region::solid);
+  }
+  return result;
+}
+
+std::vector<char> Shells::contradict(
+  const std::vector<char>& isTurned, const std::vector<std::int32_t>& counts) const
+{
+  std::vector<Step> steps;
+  DisjointSets connected(shells_.size());
+  for (std::size_t i = 0; i < counts.size(); ++i)
+  {
+    const std::int32_t front = shells_[2 * i], back = shells_[2 * i + 1];
+    if (counts[i] > 0)
+    {
+      const std::int32_t inward = isTurned[i] ? -1 : 1;
+      steps.push_back({front, back, inward, 1});
+      steps.push_back({back, front, -inward, 1});
+      connected.unite(front, back);
+    }
+  }
+  steps = takenTogether(std::move(steps));
+  std::vector<std::int32_t> numbers(shells_.size(), unknown);
+  for (std::size_t shell = 0; shell < numbers.size(); ++shell)
+  {
+    if (connected.find(static_cast<std::int32_t>(shell)) == static_cast<std::int32_t>(shell))
+    {
+      numbers[shell] = 0;
+    }
+  }
+  handOn(steps, numbers, std::plus<>());
+  std::vector<char> setContradicts(shells_.size(), 0), result(counts.size());
+  for (const Step& step : steps)
+  {
+    setContradicts[connected.find(step.from)] |=
+      static_cast<char>(numbers[step.to] != numbers[step.from] + step.value);
+  }
+  for (std::size_t i = 0; i < counts.size(); ++i)
+  {
+    result[i] = setContradicts[connected.find(shells_[2 * i])];
   }
   return result;
 }

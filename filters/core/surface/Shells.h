@@ -36,13 +36,20 @@ public:
   /**
    * Returns for each side, front and back of one triangle after the other, what is before it.
    *
-   * `counts` says how many faces each triangle stands for, 1 or more. Each of these bounds a solid
-   * on one of its sides, and a solid that was drawn n times has n faces everywhere. So the numbers
-   * of a region and of its neighbour behind a triangle add up to the triangle's count, from the
-   * outside on, which has 0. A region is empty with 0, solid with more, and unclear where numbers
-   * contradict each other.
+   * `counts` says how many faces each triangle stands for; 0 for a cap, which parts regions and
+   * says nothing about them. Each face bounds a solid on one of its sides, and a solid that was
+   * drawn n times has n faces everywhere. So the numbers of a region and of its neighbour behind a
+   * triangle add up to the triangle's count, from the outside on, which has 0. Between two regions
+   * the count of most triangles holds. A region is empty with 0 and solid with more. It is unclear
+   * where one way leads to a solid and another to none.
    */
   std::vector<Region> regions(const std::vector<std::int32_t>& counts) const;
+
+  /// Returns for each triangle whether the senses of all that are connected with it contradict each
+  /// other: w, which is one more behind a triangle than before it, would differ by the way.
+  /// `isTurned` says which triangles count as turned round; `counts` is 0 for caps.
+  std::vector<char> contradict(
+    const std::vector<char>& isTurned, const std::vector<std::int32_t>& counts) const;
 
 private:
   void joinAround(const Surface& surface, const SurfaceEdges& edges,

@@ -124,7 +124,7 @@ TEST(Openings, LetEachInwardHalfBeTurnedByItself)
   const Mesh halves = at(0).with(at(3).reversed()).with(at(6)).with(at(9));
   winding::Surface surface = clean(halves);
   winding::SerialExecutor serial;
-  const winding::Orientation found = orient(surface, edgesOf(surface), {}, serial);
+  const winding::Orientation found = orient(surface, {}, serial);
   EXPECT_EQ(found.components, 1u);
   EXPECT_EQ(found.triangles, half.triangles.size());
 }
@@ -140,7 +140,7 @@ TEST(Openings, LetAnInwardHalfBeTurned)
     for (const Mesh& mesh : {half, half.reversed()})
     {
       winding::Surface surface = clean(mesh);
-      apply(orient(surface, edgesOf(surface), {}, serial), surface);
+      apply(orient(surface, {}, serial), surface);
       const winding::Openings found = winding::openingsOf(
         boundaryOf(surface).edges, surface, areaOf(surface.vertices, surface.triangles));
       EXPECT_FALSE(found.lookInward) << coordinates;

@@ -45,7 +45,7 @@ Surface outward(const Mesh& mesh)
 {
   Surface surface = clean(mesh);
   winding::SerialExecutor serial;
-  apply(orient(surface, edgesOf(surface), {}, serial), surface);
+  apply(orient(surface, {}, serial), surface);
   return surface;
 }
 

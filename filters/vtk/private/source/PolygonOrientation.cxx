@@ -229,8 +229,7 @@ OrientedPolygons orientPolygons(
     polygons.add(triangles[i], owned[i].first, owned[i].second);
   }
   const Surface surface = sanitize(triangles, executor);
-  const Orientation orientation =
-    orient(surface, edgesOf(surface, executor), polygonPartsOf(triangles), executor);
+  const Orientation orientation = orient(surface, polygonPartsOf(triangles), executor);
 
   std::vector<PolygonChanges> changes(leaves.size());
   OrientedPolygons result;
