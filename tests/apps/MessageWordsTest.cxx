@@ -35,6 +35,8 @@ TEST(MessageWords, AreThoseOfTheProgram)
     expected["a method that points do not have"]);
   EXPECT_EQ(
     messageOf("field", "cube.off", {"--padding", "-1"}, vti), expected["a number out of range"]);
+  EXPECT_EQ(messageOf("field", "cube.off", {"--mirror", "y=0", "--mirror", "1 1 0 = 0"}, vti),
+    expected["mirror planes at an angle"]);
   EXPECT_EQ(
     messageOf("field", "cube.off", {"--voxel-size", "1e-12"}, vti), expected["too many voxels"]);
   EXPECT_EQ(messageOf("field", "inward.off", coarse, vti), expected["faces that look inward"]);

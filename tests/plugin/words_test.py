@@ -50,6 +50,7 @@ class TestWords(unittest.TestCase):
             "a method that points do not have": field(points("place.xyz"), Method="Ray Parity",
                 UseInputBounds=0, SamplingBounds=[0, 1] * 3),
             "a number out of range": field(mesh("cube.off"), Padding=-1),
+            "mirror planes at an angle": field(mesh("cube.off"), Mirror="y=0; 1 1 0 = 0"),
             "too many voxels": field(mesh("cube.off"), VoxelSize=1e-12),
             "lines next to faces": field(mesh("loose.off")),
             "normals of length 0": field(points("zeros.xyz"), EstimateNormals=0),

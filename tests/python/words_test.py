@@ -61,6 +61,7 @@ class WordsTest(unittest.TestCase):
             "a method that points do not have": message_of(
                 field, place[:, :3], method="parity", bounds=[0, 1] * 3, **cloud),
             "a number out of range": message_of(field, *cube, padding=-1),
+            "mirror planes at an angle": message_of(field, *cube, mirror="y=0; 1 1 0 = 0"),
             "too many voxels": message_of(field, *cube, spacing=1e-12),
             "faces that look inward": message_of(field, *inward, resolution=4),
             "a grid within the solid": message_of(

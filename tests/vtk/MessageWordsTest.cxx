@@ -69,6 +69,8 @@ std::map<std::string, std::string> allMessages()
     });
   found["a number out of range"] =
     messageOfField("cube.off", [](auto* field) { field->SetPadding(-1); });
+  found["mirror planes at an angle"] =
+    messageOfField("cube.off", [](auto* field) { field->SetMirror("y=0; 1 1 0 = 0"); });
   found["lines next to faces"] = messageOfField("loose.off");
   found["normals of length 0"] = messageOfField("zeros.xyz");
   found["normals that are equal"] = messageOfField("equal.xyz");

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace winding
 {
@@ -24,6 +25,15 @@ Bounds withImage(Bounds bounds, const Plane& plane)
     bounds.extend(plane.mirrored(corner));
   }
   return bounds;
+}
+
+/// Returns whether two texts name the same plane: up to rounding, with either sign.
+bool areEqual(const Plane& a, const Plane& b)
+{
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  const double sign = a.normal.dot(b.normal) < 0 ? -1 : 1;
+  return (a.normal - sign * b.normal).norm() <= rounding &&
+         std::abs(a.offset - sign * b.offset) <= rounding * std::abs(a.offset);
 }
 
 } // namespace
@@ -87,13 +97,29 @@ void Mirror::addImage(const Plane& plane, Surface& surface, PolygonParts& parts)
 }
 
 Mirror::Mirror(const std::string& text, double tolerance)
-  : planes_(planesIn(text, Parameter::mirror))
-  , tolerance_(tolerance)
+  : tolerance_(tolerance)
 {
-  constexpr std::size_t most = 3;
-  if (planes_.size() > most)
+  constexpr double mostCosine = 1e-6; // as far from right angles as vertices may be from a plane
+  for (const Plane& plane : planesIn(text, Parameter::mirror))
   {
-    throw Refusal(Message(Parameter::mirror, "has more than three planes"));
+    if (std::none_of(planes_.begin(), planes_.end(),
+          [&plane](const Plane& other) { return areEqual(plane, other); }))
+    {
+      planes_.push_back(plane);
+    }
+  }
+  for (std::size_t i = 1; i < planes_.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      if (!(std::abs(planes_[i].normal.dot(planes_[j].normal)) <= mostCosine))
+      {
+        Message message(Parameter::mirror, "has planes that are not at right angles");
+        message.remedies = {{"give one of them, or mirror the source yourself", {}}};
+        message.facts = "images at one plane would not be symmetric at the other";
+        throw Refusal(std::move(message));
+      }
+    }
   }
 }
 

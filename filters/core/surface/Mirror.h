@@ -16,7 +16,9 @@ namespace winding
 
 /**
  * The planes of symmetry of a whole, for a source that is one side of them, as half a hull. It gets
- * its mirror image at each plane in turn, so that two planes make four of a quarter.
+ * its mirror image at each plane in turn, so that two planes make four of a quarter. Planes are at
+ * right angles: only then is the whole symmetric at all of them, in whatever order they come. A
+ * plane that is there twice counts once.
  *
  * Vertices within a millionth of the bounds' longest side from a plane are their own images, so
  * that both halves meet there. Triangles that lie in the plane, as lids of closed halves, would
@@ -26,7 +28,7 @@ class Mirror
 {
 public:
   /// Takes planes as planesIn() does. Vertices up to `tolerance` from a plane are their own images,
-  /// too. Throws Refusal for other texts, and for more than three planes.
+  /// too. Throws Refusal for other texts, and for planes that are not at right angles.
   explicit Mirror(const std::string& text, double tolerance = 0);
 
   bool isNone() const { return planes_.empty(); }

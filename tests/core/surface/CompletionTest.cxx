@@ -198,10 +198,26 @@ TEST(Mirror, TakesPlanesOfAnyDirection)
   EXPECT_EQ(half.vertices.size(), expected.vertices.size());
 }
 
-TEST(Mirror, IsRefusedForMoreThanThreePlanes)
+TEST(Mirror, IsRefusedForPlanesThatAreNotAtRightAngles)
 {
   EXPECT_NO_THROW(winding::Mirror("x=0 y=0 z=0"));
-  EXPECT_THROW(winding::Mirror("x=0 y=0 z=0 x=1"), winding::Refusal);
+  EXPECT_NO_THROW(winding::Mirror("1 1 0 = 3; 1 -1 0 = 5; z=2"));
+  for (const char* wrong : {"x=0 y=0 z=0 x=1", "y=0; 1 1 0 = 0", "1 1 0 = 0; y=0", "y=0 y=1",
+         "1 0 0 = 0; 1 1.7320508075688772 0 = 0", "y=0; 0.001 1 0 = 0", "x=0 y=0 z=0; 1 1 1 = 0"})
+  {
+    EXPECT_THROW(winding::Mirror{wrong}, winding::Refusal) << wrong;
+  }
+}
+
+TEST(Mirror, CountsAPlaneThatIsThereTwiceOnce)
+{
+  const Surface once = mirrored(clean(quarterBox(3)), "x=0.3");
+  for (const char* twice : {"x=0.3 x=0.3", "x=0.3; 3 0 0 = 0.9", "x=0.3; -7 0 0 = -2.1"})
+  {
+    const Surface whole = mirrored(clean(quarterBox(3)), twice);
+    EXPECT_EQ(whole.vertices, once.vertices) << twice;
+    EXPECT_EQ(winding::Mirror(twice).copies(), 2u) << twice;
+  }
 }
 
 TEST(Mirror, GivesCloudsTheirOtherHalf)
