@@ -200,6 +200,26 @@ Mesh torus(int along, int around)
   return builder.mesh();
 }
 
+Mesh lathe(const std::vector<std::array<double, 2>>& profile, int corners)
+{
+  Mesh mesh;
+  for (const auto& [radius, height] : profile)
+  {
+    for (int i = 0; i < corners; ++i)
+    {
+      const double angle = 6.283185307179586 * i / corners;
+      mesh.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
+    }
+  }
+  for (int i = 0; i + corners < static_cast<int>(mesh.points.size()); ++i)
+  {
+    const int next = i % corners == corners - 1 ? i + 1 - corners : i + 1;
+    mesh.triangles.push_back({i, next, next + corners});
+    mesh.triangles.push_back({i, next + corners, i + corners});
+  }
+  return mesh;
+}
+
 Mesh moebiusStrip(int quads)
 {
   Mesh mesh;

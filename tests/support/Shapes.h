@@ -54,6 +54,9 @@ Mesh cubeWithSlit(double width);
 Mesh icosphere(int levels);
 /// A torus of radii 1 and 0.4 around the z axis.
 Mesh torus(int along, int around);
+/// A surface of revolution around z through circles of {radius, height}, open at its ends unless
+/// the radius is 0 there. It looks outward if heights ascend.
+Mesh lathe(const std::vector<std::array<double, 2>>& profile, int corners);
 /// A band of `quads` quadrilaterals that closes with a half twist.
 Mesh moebiusStrip(int quads);
 /// Triangles without any relation, of all sizes from about 2^−8 to 1, within [−2, 2]³.

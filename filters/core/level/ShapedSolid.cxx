@@ -11,8 +11,10 @@
 #include "source/Surface.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace winding
 {
@@ -195,9 +197,62 @@ Surface surfaceOf(const Grid& grid, const LevelEdges& edges, const EdgeRoots& ro
   return surface;
 }
 
-/// Makes the surface of the solid of a field on a grid, by all that it takes.
-Surface surfaceOn(const Grid& grid, const Field& field, InsideRule rule, double threshold,
-  double tolerance, const SolidShape& shape, bool isSharp, Executor& executor)
+/// A solid on a grid, and the same without its cavities.
+struct FilledOnGrid
+{
+  const Grid& grid;
+  const LevelEdges &solid, &filled;
+};
+
+/// Returns whether a solid has the same cavities on another grid. There the sample nearest to the
+/// middle of each outside run must be inside if the run is in a cavity, and in no cavity if not.
+bool haveSameCavities(const FilledOnGrid& given, const FilledOnGrid& other, Executor& executor)
+{
+  std::atomic<bool> areSame(true);
+  runBlocks(
+    static_cast<std::size_t>(given.grid.dimensions[2]), 1,
+    [&](std::size_t layer, std::size_t, std::size_t)
+    {
+      const int k = static_cast<int>(layer);
+      std::vector<RowRun> runs;
+      for (int j = 0; j < given.grid.dimensions[1]; ++j)
+      {
+        given.solid.findRuns(j, k, runs);
+        for (const RowRun& run : runs)
+        {
+          const int i = run.begin + (run.end - run.begin) / 2;
+          const Eigen::Vector3d place = other.grid.inGridUnits(given.grid.sample(i, j, k));
+          const Eigen::Array3i nearest = place.array()
+                                           .max(-1)
+                                           .min(other.grid.dimensions.array().cast<double>())
+                                           .round()
+                                           .cast<int>();
+          if (run.value != 0 || (nearest < 0).any() ||
+              (nearest >= other.grid.dimensions.array()).any())
+          {
+            continue;
+          }
+          const std::array<int, 3> sample = {nearest[0], nearest[1], nearest[2]};
+          const bool isInside = other.filled.isSampleInside(sample);
+          const bool isSame = given.filled.isSampleInside({i, j, k})
+                                ? isInside
+                                : !isInside || other.solid.isSampleInside(sample);
+          if (!isSame)
+          {
+            areSame = false;
+          }
+        }
+      }
+    },
+    executor);
+  return areSame;
+}
+
+/// Makes the surface of the solid of a field on a grid, by all that it takes; none where its
+/// cavities are others than those on the `given` grid.
+std::optional<Surface> surfaceOn(const Grid& grid, const Field& field, InsideRule rule,
+  double threshold, double tolerance, const SolidShape& shape, bool isSharp,
+  const FilledOnGrid& given, Executor& executor)
 {
   LevelEdges edges(field, grid, rule, threshold, true);
   while (!edges.isDone())
@@ -219,6 +274,10 @@ Surface surfaceOn(const Grid& grid, const Field& field, InsideRule rule, double 
     return surfaceOf(grid, edges, roots, isSharp, executor);
   }
   const FilledCavities filled(edges, roots, grid, executor);
+  if (!haveSameCavities(given, {grid, edges, filled.edges}, executor))
+  {
+    return std::nullopt;
+  }
   return surfaceOf(grid, filled.edges, filled.roots, isSharp, executor);
 }
 
@@ -255,13 +314,14 @@ ShapedSolid::ShapedSolid(const Field& field, const Grid& grid, InsideRule rule, 
   }
   if (shape.hasDistances())
   {
-    this->move(field, grid, rule, threshold, tolerance, shape, isSharp, executor);
+    this->move(field, grid, rule, threshold, tolerance, solid, shape, isSharp, executor);
   }
 }
 
 /// Moves the surface of the solid to the limits of its band.
 void ShapedSolid::move(const Field& field, const Grid& grid, InsideRule rule, double threshold,
-  double tolerance, const SolidShape& shape, bool isSharp, Executor& executor)
+  double tolerance, const LevelEdges& solid, const SolidShape& shape, bool isSharp,
+  Executor& executor)
 {
   const DistanceBand band = shape.band();
   const auto [begin, end] = executor.share();
@@ -273,10 +333,16 @@ void ShapedSolid::move(const Field& field, const Grid& grid, InsideRule rule, do
   base_ = isFromSource ? DistanceBase::source : DistanceBase::surface;
   if (!isFromSource)
   {
+    // A hole that one grid closes may be open on the other. The given one decides.
     const auto finer = gridOverSource(grid, field.info().bounds);
+    std::optional<Surface> surface;
+    if (finer)
+    {
+      surface = surfaceOn(*finer, field, rule, threshold, tolerance, shape, isSharp,
+        {grid, solid, *edges_}, executor);
+    }
     surfaceTree_ = std::make_shared<const DistanceTree>(
-      finer ? surfaceOn(*finer, field, rule, threshold, tolerance, shape, isSharp, executor)
-            : surfaceOf(grid, *edges_, *roots_, isSharp, executor),
+      surface ? std::move(*surface) : surfaceOf(grid, *edges_, *roots_, isSharp, executor),
       executor);
   }
   const DistanceTree& tree = isFromSource ? field.distanceTree(executor) : *surfaceTree_;

@@ -35,7 +35,8 @@ bool isSheet(const FieldInfo& info, const SolidShape& shape);
  * of any open source; its inside does not matter. In all other cases distances are from the solid's
  * surface as a grid shows it, smooth or sharp: of clouds, of solids that overlap, of filled
  * cavities, of holes that the field closes. Where the grid reaches far beyond the source, that is
- * another grid, of as many voxels over the source alone.
+ * another grid, of as many voxels over the source alone. If that leaves a filled cavity open, or
+ * has another one, the given grid decides, and distances are from the surface on it.
  *
  * Guaranteed: the bits are the same for every executor.
  */
@@ -66,7 +67,8 @@ public:
 
 private:
   void move(const Field& field, const Grid& grid, InsideRule rule, double threshold,
-    double tolerance, const SolidShape& shape, bool isSharp, Executor& executor);
+    double tolerance, const LevelEdges& solid, const SolidShape& shape, bool isSharp,
+    Executor& executor);
 
   std::unique_ptr<const FilledCavities> filled_;
   std::unique_ptr<const LevelEdges> movedEdges_;

@@ -422,3 +422,63 @@ TEST(FilledCavities, LeaveNoSurfaceBehind)
       EXPECT_EQ(shaped.edges().isSampleInside(sample), isInBox(place, 0) && !isInBox(place, 0.3));
     });
 }
+
+/// A hole is closed on one grid and open on a finer one; distances come from the latter where the
+/// grid is larger than the source.
+TEST(FilledCavities, AreTheSameOnTheGridThatDistancesComeFrom)
+{
+  winding::SerialExecutor serial;
+  std::size_t filled = 0, open = 0;
+  for (const double hole : {0.03, 0.05, 0.07, 0.09, 0.12, 0.2})
+  {
+    // A ball of radius 1 with a cavity of radius 0.5 and a bore.
+    std::vector<std::array<double, 2>> profile;
+    constexpr int steps = 24;
+    for (const double radius : {1.0, 0.5})
+    {
+      const double end = std::acos(-std::sqrt(1 - hole * hole / (radius * radius)));
+      for (int i = 0; i <= steps; ++i)
+      {
+        const double angle = end * (radius == 1 ? i : steps - i) / steps;
+        const bool isPole = radius == 1 ? i == 0 : i == steps;
+        profile.push_back({isPole ? 0 : radius * std::sin(angle), -radius * std::cos(angle)});
+      }
+    }
+    const Mesh ball =
+      lathe(profile, 48).mapped([](const Point& p) -> Point { return p + Point(0.05, 0.03, 0); });
+    for (const int samples : {16, 20, 32, 40})
+    {
+      for (const double half : {1.5, 2.5, 5.0})
+      {
+        SCOPED_TRACE(std::to_string(hole) + ", " + std::to_string(samples) + " samples to " +
+                     std::to_string(half));
+        const double spacing = 2 * half / samples;
+        const winding::Grid grid = gridOf(Point::Constant(-half + spacing / 2),
+          Point::Constant(spacing), {samples, samples, samples});
+        const SolidOnGrid solid(ball, grid, true, serial);
+        for (SolidShape shape : {shapeOf(-0.05), shapeOf(0, 0.1)})
+        {
+          shape.fillsCavities = true;
+          const ShapedSolid shaped = shapedOf(solid, grid, shape, serial, false);
+          ++(shaped.cavities() > 0 ? filled : open);
+          forSamples(grid, 0,
+            [&](const std::array<int, 3>& sample)
+            {
+              const double radius =
+                (grid.sample(sample[0], sample[1], sample[2]) - Point(0.05, 0.03, 0)).norm();
+              if (shaped.cavities() > 0 && radius < 0.95 - spacing)
+              {
+                EXPECT_EQ(shaped.edges().isSampleInside(sample), shape.shell == 0) << radius;
+              }
+              else if (shaped.cavities() == 0 && spacing < 0.2 && radius < 0.5 - spacing)
+              {
+                EXPECT_FALSE(shaped.edges().isSampleInside(sample)) << radius;
+              }
+            });
+        }
+      }
+    }
+  }
+  EXPECT_GT(filled, 20u);
+  EXPECT_GT(open, 20u);
+}
