@@ -6,12 +6,14 @@
 
 #include "base/Refusal.h"
 #include "distance/PrimitivesNear.h"
+#include "source/CoordinateOrder.h"
 #include "source/SnappedPoints.h"
 #include "sums/ReferenceSum.h"
 #include "surface/Boundary.h"
 #include "surface/CompletedSurface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -52,6 +54,38 @@ bool areEqual(const Surface& a, const Surface& b)
 {
   return a.vertices == b.vertices &&
          std::equal(a.triangles.begin(), a.triangles.end(), b.triangles.begin(), b.triangles.end());
+}
+
+/// The corners of all triangles, from the lowest on, in an order that depends on the set alone.
+std::vector<std::array<double, 9>> writtenOut(const Surface& surface)
+{
+  std::vector<std::array<double, 9>> result;
+  for (const Triangle& ids : surface.triangles)
+  {
+    const Triangle t = lowestFirst(surface.vertices, ids);
+    std::array<double, 9>& corners = result.emplace_back();
+    for (std::size_t i = 0; i < 9; ++i)
+    {
+      corners[i] = surface.vertices[t[i / 3]][static_cast<int>(i % 3)];
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// The mesh with its points and triangles in reverse order.
+Mesh reversedOrder(Mesh mesh)
+{
+  std::reverse(mesh.points.begin(), mesh.points.end());
+  std::reverse(mesh.triangles.begin(), mesh.triangles.end());
+  for (auto& triangle : mesh.triangles)
+  {
+    for (std::int32_t& corner : triangle)
+    {
+      corner = static_cast<std::int32_t>(mesh.points.size()) - 1 - corner;
+    }
+  }
+  return mesh;
 }
 
 /// Whether all coordinates are so near to 1 in size that tolerances of a test mean something.
@@ -191,6 +225,14 @@ std::string checkCompletion(Choices& choices)
         completedSurface(views, mirror, base, backward).surface))
   {
     return "a completed surface depends on the executor";
+  }
+  // Where a source reaches across its mirror plane, equal points of both halves stay apart.
+  const Mesh other = reversedOrder(mesh);
+  if (!mirror.cuts(surface.vertices, surface.bounds) &&
+      writtenOut(completedSurface(views, mirror, base, serial).surface) !=
+        writtenOut(completedSurface(viewsOf(other), mirror, base, serial).surface))
+  {
+    return "a completed surface depends on the order of vertices or triangles";
   }
   switch (choices.below(3))
   {

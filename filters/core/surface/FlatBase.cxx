@@ -9,7 +9,6 @@
 #include "surface/Boundary.h"
 #include "surface/BoundaryLoops.h"
 #include "surface/Cap.h"
-#include "surface/Openings.h"
 #include "surface/PlaneCap.h"
 
 #include <Eigen/Geometry>
@@ -26,48 +25,130 @@ namespace winding
 namespace
 {
 
-/// Returns the vector area of what closes a rim, whose sides run the other way.
-Eigen::Vector3d areaOfLid(const BoundaryLoop& rim, const Surface& surface, double scale)
-{
-  const Eigen::Vector3d center = surface.bounds.center();
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < rim.size(); ++i)
-  {
-    const Eigen::Vector3d p = (surface.vertices[rim[i]] - center) * scale;
-    const Eigen::Vector3d q = (surface.vertices[rim[(i + 1) % rim.size()]] - center) * scale;
-    sum -= p.cross(q) / 2;
-  }
-  return sum;
-}
-
 constexpr double shareOfBounds = 1e-6; ///< of distances from the base that do not count
 
-/// Returns by rim whether the base closes it. Faces look outward where `side` is 1, inward where it
-/// is −1, and either way where it is 0.
-std::vector<char> rimsToClose(
-  const BoundaryLoops& rims, const Surface& surface, const Plane& base, int side)
+/// What would close a rim: a fan from the middle of its vertices. Lengths are scaled.
+struct Lid
 {
-  constexpr double leastCosine = 0.5, leastShare = 0.1;
-  const double reach = shareOfBounds * surface.bounds.sizes().maxCoeff();
+  Eigen::Vector3d area = Eigen::Vector3d::Zero(); ///< its vector area, outward as the faces are
+  double volume = 0;                              ///< of the cones from the origin over it
+  double volumeToBase = 0;                        ///< between them, less than 0 if it faces away
+  double depth = 0;                               ///< distance of its middle from the base
+  bool isInBase = true;
+
+  double along(const Plane& base) const { return area.dot(base.normal); }
+
+  bool facesBase(const Plane& base, double side) const
+  {
+    constexpr double leastCosine = 0.5;
+    return side * this->along(base) > 0 && side * this->along(base) >= leastCosine * area.norm();
+  }
+};
+
+Lid lidOf(const BoundaryLoop& rim, const Surface& surface, const Plane& base, double scale)
+{
+  const Eigen::Vector3d origin = surface.bounds.center();
+  const double reach = shareOfBounds * surface.bounds.sizes().maxCoeff() * scale;
+  const auto depthOf = [&](const Eigen::Vector3d& p)
+  {
+    return -base.height(p / scale + origin) * scale;
+  };
+  std::vector<Eigen::Vector3d> corners;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const std::int32_t vertex : rim)
+  {
+    corners.emplace_back((surface.vertices[vertex] - origin) * scale);
+    middle += corners.back() / static_cast<double>(rim.size());
+  }
+  Lid lid;
+  lid.depth = depthOf(middle);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const Eigen::Vector3d &p = corners[i], &q = corners[(i + 1) % corners.size()];
+    const Eigen::Vector3d area = (q - middle).cross(p - middle) / 2;
+    const double depth = -base.height(surface.vertices[rim[i]]) * scale;
+    lid.area += area;
+    lid.volume += middle.dot(area) / 3;
+    lid.volumeToBase += area.dot(base.normal) * (lid.depth + depth + depthOf(q)) / 3;
+    lid.isInBase = lid.isInBase && std::abs(depth) <= reach;
+  }
+  return lid;
+}
+
+/// Returns whether the faces of a surface look inward: the lids next to the base say so, and walls
+/// from them make a larger solid than walls from others would. If there are no others, a surface
+/// that looks outward is a cup. Walls end at the lowest vertex here, wherever the base is.
+bool looksInward(const std::vector<Lid>& lids, const Surface& surface, const Plane& base)
+{
+  constexpr double nextToBase = 0.1, leastShare = 0.01, leastVolume = 0.04;
+  constexpr double rounding = 1e-9; // orders of triangles decide nothing
   const double scale = unitScale(surface.bounds);
-  std::vector<Eigen::Vector3d> areas;
-  double most = 0; // with its sign, which is less than 0 where faces look inward
+  const Eigen::Vector3d origin = surface.bounds.center();
+  double volume = 0, area = 0;
+  Bounds depths;
+  for (const Triangle& t : surface.triangles)
+  {
+    const Eigen::Vector3d a = (surface.vertices[t[0]] - origin) * scale;
+    const Eigen::Vector3d b = (surface.vertices[t[1]] - origin) * scale - a;
+    const Eigen::Vector3d c = (surface.vertices[t[2]] - origin) * scale - a;
+    volume += a.dot(b.cross(c)) / 6;
+    area += b.cross(c).norm() / 2;
+    for (const std::int32_t vertex : t)
+    {
+      depths.extend(Eigen::Vector3d::Constant(-base.height(surface.vertices[vertex]) * scale));
+    }
+  }
+  double largest = 0, nearest = std::numeric_limits<double>::infinity();
+  for (const Lid& lid : lids)
+  {
+    volume += lid.volume;
+    largest = std::max(largest, std::abs(lid.along(base)));
+  }
+  const auto isLarge = [&](const Lid& lid)
+  {
+    return std::abs(lid.along(base)) >= leastShare * largest;
+  };
+  for (const Lid& lid : lids)
+  {
+    nearest = isLarge(lid) ? std::min(nearest, lid.depth) : nearest;
+  }
+  double along = 0, most = 0, ofOutward = volume, ofInward = -volume;
+  bool isOutwardOpen = false;
+  for (const Lid& lid : lids)
+  {
+    const bool isNext = isLarge(lid) && lid.depth <= nearest + nextToBase * depths.sizes()[0];
+    along += isNext ? lid.along(base) : 0;
+    most += isNext ? lid.area.norm() : 0;
+    const double below = lid.volumeToBase - lid.along(base) * depths.min()[0];
+    ofOutward += lid.facesBase(base, 1) ? below : 0;
+    ofInward -= lid.facesBase(base, -1) ? below : 0;
+    isOutwardOpen = isOutwardOpen || lid.facesBase(base, 1);
+  }
+  const double size = area * std::sqrt(area);
+  const double least = isOutwardOpen ? ofInward : leastVolume * size;
+  return along < -rounding * most && ofOutward < least - rounding * size;
+}
+
+/// Returns by rim whether the base closes it.
+std::vector<char> rimsToClose(const BoundaryLoops& rims, const Surface& surface, const Plane& base)
+{
+  constexpr double leastShare = 0.1;
+  std::vector<Lid> lids;
   for (std::size_t i = 0; i < rims.size(); ++i)
   {
-    areas.push_back(areaOfLid(rims[i], surface, scale));
-    const double along = areas[i].dot(base.normal);
-    most = std::abs(along) > std::abs(most) ? along : most;
+    lids.push_back(lidOf(rims[i], surface, base, unitScale(surface.bounds)));
+  }
+  const double side = looksInward(lids, surface, base) ? -1 : 1;
+  double most = 0;
+  for (const Lid& lid : lids)
+  {
+    most = std::max(most, lid.facesBase(base, side) ? side * lid.along(base) : 0);
   }
   std::vector<char> isClosed;
-  for (std::size_t i = 0; i < rims.size(); ++i)
+  for (const Lid& lid : lids)
   {
-    const double along = areas[i].dot(base.normal) * (side != 0 ? side : most < 0 ? -1 : 1);
-    const bool facesBase =
-      along > 0 && along >= leastCosine * areas[i].norm() && along >= leastShare * std::abs(most);
-    const bool isInBase = std::all_of(rims[i].begin(), rims[i].end(),
-      [&](std::int32_t vertex)
-      { return std::abs(base.height(surface.vertices[vertex])) <= reach; });
-    isClosed.push_back(static_cast<char>(facesBase || isInBase));
+    const bool isLarge = side * lid.along(base) >= leastShare * most;
+    isClosed.push_back(static_cast<char>((lid.facesBase(base, side) && isLarge) || lid.isInBase));
   }
   return isClosed;
 }
@@ -161,11 +242,12 @@ BasedOpenings FlatBase::addTo(Surface& surface, Executor& executor) const
   {
     return found;
   }
-  const BoundaryEdges chain = boundaryChain(surface, executor).edges;
+  // Rims in an order of coordinates make the same base whatever the order of vertices.
+  const BoundaryEdges chain =
+    sortedByCoordinates(boundaryChain(surface, executor).edges, surface.vertices, executor);
   const BoundaryLoops rims = boundaryLoops(chain, surface.vertices.size(), executor);
   const Plane base = this->planeBelow(surface.vertices);
-  const std::vector<char> isClosed =
-    rimsToClose(rims, surface, base, sideBehindLids(chain, surface));
+  const std::vector<char> isClosed = rimsToClose(rims, surface, base);
   const double reach = shareOfBounds * surface.bounds.sizes().maxCoeff();
   found.cutsSurface = std::any_of(surface.vertices.begin(), surface.vertices.end(),
     [&](const Eigen::Vector3d& vertex) { return base.height(vertex) > reach; });

@@ -31,9 +31,16 @@ std::vector<Message> notesOn(const BasedOpenings& openings);
  * rim to the base, at right angles to it, and a plane closes them (PlaneCap.h).
  *
  * Openings are closed that face the base: the vector area of their lid (½ ∑ p × q) is within 60° of
- * its normal, and a tenth or more of the largest one's. So holes in a roof, or beneath a chin, stay
- * what they are. Rims that lie in the base, up to a millionth of the bounds, are closed, too. From
- * 20 000 edges on the cap of the base is any that has its rims (Cap.h).
+ * its normal, and a tenth or more of the largest one's that faces it. So holes in a roof, beneath a
+ * chin, or at the top of a vase stay what they are. Rims that lie in the base, up to a millionth of
+ * the bounds, are closed, too. From 20 000 edges on the cap of the base is any that has its rims
+ * (Cap.h).
+ *
+ * Faces count as outward. They count as inward if the openings next to the base say so, within a
+ * tenth of the surface's height, and walls from there make the larger solid. Openings of less than
+ * a hundredth of the largest say nothing.
+ *
+ * Guaranteed: the base depends on the set of triangles, not on the order of these or of vertices.
  */
 class FlatBase
 {

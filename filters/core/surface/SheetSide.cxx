@@ -62,10 +62,11 @@ Sheets turnSheets(
       moment += twiceArea.norm() * side.dot(a + b + c) / 3;
     }
   }
+  constexpr double rounding = 1e-9; // the order of triangles decides nothing
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)
   {
     const auto component = static_cast<std::size_t>(components.ofTriangle[i]);
-    if (!components.isClosed[component] && along[component] > 0)
+    if (!components.isClosed[component] && along[component] > rounding * areas[component])
     {
       std::swap(surface.triangles[i][1], surface.triangles[i][2]);
     }

@@ -20,8 +20,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
+#include <sstream>
 
 namespace
 {
@@ -45,6 +48,73 @@ std::vector<double> valuesAt(const winding::Field& field, const std::vector<Poin
   field.evaluate(winding::VectorsView(samples.front().data(), samples.size()), output, serial);
   return values;
 }
+
+/// The mesh with vertices, triangles and their first corners in a random order.
+Mesh shuffled(const Mesh& mesh, Random& random)
+{
+  const auto orderOf = [&random](std::size_t count)
+  {
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    for (std::size_t i = count; i > 1; --i)
+    {
+      std::swap(order[i - 1], order[random.bits() % i]);
+    }
+    return order;
+  };
+  Mesh result;
+  result.points.resize(mesh.points.size());
+  const std::vector<std::size_t> places = orderOf(mesh.points.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    result.points[places[i]] = mesh.points[i];
+  }
+  for (const std::size_t i : orderOf(mesh.triangles.size()))
+  {
+    const auto& t = mesh.triangles[i];
+    auto& moved = result.triangles.emplace_back();
+    const std::size_t first = random.bits() % 3;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      moved[corner] = static_cast<std::int32_t>(places[t[(first + corner) % 3]]);
+    }
+  }
+  return result;
+}
+
+/// A rotation, a scale and a shift, and what they make of the texts of options.
+struct Motion
+{
+  Eigen::Matrix3d rotation;
+  double scale;
+  Point shift;
+
+  static Motion random(Random& random)
+  {
+    const double angle = random(0, 6);
+    return {Eigen::AngleAxisd(angle, random.direction()).toRotationMatrix(),
+      std::pow(10, random(-3, 3)), random.point(-1, 1)};
+  }
+
+  Point operator()(const Point& p) const { return scale * (rotation * p) + shift; }
+
+  std::string direction(const Point& along) const
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << "direction " << (rotation * along).transpose();
+    return text.str();
+  }
+
+  std::string plane(const Point& normal, double offset) const
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << (rotation * normal).transpose() << " = "
+         << scale * offset + (rotation * normal).dot(shift);
+    return text.str();
+  }
+};
 
 /// The triangles of a mesh whose corners are all where a function says.
 template <class IsKept> Mesh kept(const Mesh& mesh, const IsKept& isKept)
@@ -388,6 +458,89 @@ TEST(FlatBase, ClosesWhatIsOpenBelowAndLeavesOtherHoles)
       std::equal(before.triangles.begin(), before.triangles.end(), surface.triangles.begin()));
     EXPECT_NEAR(surface.bounds.min()[2], place, 0.06) << text;
     EXPECT_EQ(winding::FlatBase(text).completed(before.bounds).min(), surface.bounds.min());
+  }
+}
+
+TEST(FlatBase, ClosesTheLowerOpeningOfVessels)
+{
+  SCOPED_TRACE("seed 67");
+  Random random(67);
+  for (int trial = 0; trial < 400; ++trial)
+  {
+    // In half of the trials the upper opening is the larger one. The base is next to the lower one
+    // or below it, in any direction.
+    std::vector<std::array<double, 2>> profile(2 + random.bits() % 5);
+    for (std::size_t i = 0; i < profile.size(); ++i)
+    {
+      const double last = static_cast<double>(profile.size()) - 1;
+      profile[i] = {random(0.3, 1.2), 2 * static_cast<double>(i) / last};
+    }
+    const Mesh vessel = lathe(profile, 24);
+    const Motion motion = Motion::random(random);
+    const bool hasGap = trial % 3 == 0;
+    FieldOptions options;
+    options.flatBase = hasGap ? motion.plane({0, 0, 1}, -0.25) : motion.direction({0, 0, -1});
+    const auto field = fieldOf(shuffled(vessel, random).mapped(motion), options);
+    EXPECT_EQ(field->info().netBoundaryEdges, 24u) << trial;
+    EXPECT_EQ(field->info().warnings.size(), 1u) << trial;
+    const double low = hasGap ? -0.2 : 0.05;
+    EXPECT_GT(valuesAt(*field, {motion({0.01, 0.02, low})})[0], 0.5) << trial;
+    EXPECT_LT(valuesAt(*field, {motion({0.01, 0.02, low - 0.1})})[0], 0.5) << trial;
+    EXPECT_LT(valuesAt(*field, {motion({1.3, 0, 1})})[0], 0.5) << trial;
+  }
+}
+
+TEST(FlatBase, TakesTheSenseOfFacesFromOpeningsNextToIt)
+{
+  // Vessels that look inward, and a crater with a lake at its bottom, where no points are: they
+  // differ in their proportions only.
+  for (const double above : {0.3, 0.8, 1.0, 1.3, 2.0})
+  {
+    const Mesh inward = lathe({{1, 0}, {above, 2}}, 24).reversed();
+    FieldOptions options;
+    options.flatBase = "z=-0.5";
+    const auto field = fieldOf(inward, options);
+    EXPECT_EQ(field->info().netBoundaryEdges, 24u) << above;
+    EXPECT_LT(valuesAt(*field, {{0, 0, -0.25}})[0], -0.5) << above;
+  }
+  // A dome that looks inward and was cut at a slant, with a triangle missing low at its side.
+  const Mesh dome = kept(icosphere(4), [](const Point& p) { return p[2] > 0.6 * p[0] - 0.4; });
+  for (std::size_t low = 0; low < dome.triangles.size(); ++low)
+  {
+    const Point& p = dome.points[dome.triangles[low][0]];
+    if (p[2] < 0.6 * p[0] - 0.3 || p[2] > -0.5)
+    {
+      continue;
+    }
+    Mesh holed = dome.reversed();
+    holed.triangles.erase(holed.triangles.begin() + static_cast<std::ptrdiff_t>(low));
+    FieldOptions options;
+    options.flatBase = "z=-1.2";
+    EXPECT_LT(valuesAt(*fieldOf(holed, options), {{0.5, 0, -0.9}})[0], -0.5) << p.transpose();
+  }
+  const Mesh crater = lathe({{0.2, 0}, {1.5, 0.5}, {2, 1}, {4, 0.2}}, 24).reversed();
+  FieldOptions options;
+  options.flatBase = "z=-1";
+  const std::vector<double> values =
+    valuesAt(*fieldOf(crater, options), {{1.5, 0, 0}, {3.8, 0, -0.9}, {1, 0, 1}, {4.2, 0, 0}});
+  EXPECT_GT(values[0], 0.9);
+  EXPECT_GT(values[1], 0.9);
+  EXPECT_LT(values[2], 0.1);
+  EXPECT_LT(values[3], 0.1);
+}
+
+TEST(FlatBase, LeavesCupsAlone)
+{
+  // Closed below and looking outward, whatever the base and the rotation.
+  SCOPED_TRACE("seed 71");
+  Random random(71);
+  for (const double height : {0.3, 1.0, 3.0})
+  {
+    const Motion motion = Motion::random(random);
+    FieldOptions options;
+    options.flatBase = motion.plane({0, 0, 1}, -2);
+    const Mesh cup = lathe({{0, 0}, {1, 0}, {1.1, height}}, 24);
+    EXPECT_EQ(fieldOf(cup.mapped(motion), options)->info().netBoundaryEdges, 24u) << height;
   }
 }
 
@@ -763,4 +916,73 @@ TEST(SnappedPoints, TakeTinyTolerancesAndSmallOnes)
     const auto found = winding::snappedPoints({view}, tolerance, serial)[0];
     EXPECT_TRUE(std::equal(found.begin(), found.end(), points.front().data()));
   }
+}
+
+TEST(Completions, DependOnTheSetOfTrianglesAndFollowMotions)
+{
+  std::size_t completed = 0;
+  for (unsigned seed = 0; seed < 400; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    std::vector<std::array<double, 2>> profile;
+    for (std::uint64_t i = 0, count = 2 + random.bits() % 4; i < count; ++i)
+    {
+      profile.push_back({random(0.3, 1.2), 0.5 * static_cast<double>(i)});
+    }
+    // Walls with equal openings, vessels, a box with a sheet inside, soups, each with a hole.
+    const Mesh sheet = openCube().part(0, 2).mapped(
+      [](const Point& p) -> Point { return Point(0.3, 0.2, 0.4) + 0.5 * p; });
+    const Mesh meshes[] = {lathe({{1, 0}, {1, 2}}, 4), lathe(profile, 12), cube().with(sheet),
+      triangleSoup(20, seed), quarterBox(3)};
+    const Mesh whole = meshes[seed % 5];
+    const Mesh mesh = whole.part(0, whole.triangles.size() - random.bits() % 2);
+    const Point side = random.bits() % 2 ? Point(0, 0, -1) : random.direction();
+    const double reach = random(-3, -2.5);
+    const int kind = static_cast<int>(random.bits() % 6);
+    const auto optionsFor = [&](const Motion& motion)
+    {
+      FieldOptions options;
+      options.method = winding::Method::direct;
+      options.flatBase = kind == 0   ? motion.direction(side)
+                         : kind == 1 ? motion.plane({0, 0, 1}, reach)
+                                     : "";
+      options.mirror = kind == 2 ? motion.plane(side, reach) : "";
+      options.sheetSide = kind == 3 ? motion.direction(side) : "";
+      options.ignoreOpenParts = kind == 4;
+      options.weldTolerance = kind == 5 ? 1e-6 * motion.scale : 0;
+      return options;
+    };
+    const Motion still = {Eigen::Matrix3d::Identity(), 1, Point(0, 0, 0)};
+    const Motion moved = Motion::random(random);
+    Motion larger = still;
+    larger.scale = std::exp2(std::floor(random(-40, 40)));
+    std::vector<Point> samples;
+    for (int i = 0; i < 60; ++i)
+    {
+      samples.push_back(random.point(-1.5, 2.2));
+    }
+    const auto samplesOf = [&samples](const Motion& motion)
+    {
+      std::vector<Point> result;
+      std::transform(samples.begin(), samples.end(), std::back_inserter(result), motion);
+      return result;
+    };
+    const auto field = fieldOf(mesh, optionsFor(still));
+    const std::vector<double> values = valuesAt(*field, samples);
+    completed += values != valuesAt(*fieldOf(mesh, {}), samples);
+    EXPECT_EQ(valuesAt(*fieldOf(shuffled(mesh, random), optionsFor(still)), samples), values);
+    const auto scaled = fieldOf(shuffled(mesh, random).mapped(larger), optionsFor(larger));
+    EXPECT_EQ(scaled->info().warnings.size(), field->info().warnings.size());
+    const std::vector<double> ofScaled = valuesAt(*scaled, samplesOf(larger));
+    const auto turned = fieldOf(shuffled(mesh, random).mapped(moved), optionsFor(moved));
+    EXPECT_EQ(turned->info().netBoundaryEdges, field->info().netBoundaryEdges);
+    const std::vector<double> ofTurned = valuesAt(*turned, samplesOf(moved));
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      EXPECT_NEAR(ofScaled[i], values[i], 1e-13) << samples[i].transpose();
+      EXPECT_NEAR(ofTurned[i], values[i], 1e-9) << samples[i].transpose();
+    }
+  }
+  EXPECT_GT(completed, 200u);
 }
