@@ -9,6 +9,7 @@
 
 #include <hwy/cache_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -48,23 +49,22 @@ public:
     output_.fill(integers_[sample] - capValue, sample, 1);
   }
 
-  /// Writes the values of samples on the cap.
+  /// Writes the values of samples on the cap, which are resolved in the order of samples.
   void finish(Executor& executor) const
   {
-    constexpr std::size_t perBlock = SampleBlock::capacity;
-    executor.run((onCap_.size() + perBlock - 1) / perBlock,
-      [&](std::size_t block)
-      {
-        const auto first = onCap_.begin() + static_cast<std::ptrdiff_t>(block * perBlock);
-        const std::size_t count = std::min(perBlock, onCap_.size() - block * perBlock);
-        const std::vector<PointOnCap> some(first, first + static_cast<std::ptrdiff_t>(count));
-        std::vector<double> values;
-        surface_.otherCap().resolve(some, values);
-        for (std::size_t n = 0; n < count; ++n)
-        {
-          output_.fill(values[n], some[n].sample, 1);
-        }
-      });
+    std::sort(onCap_.begin(), onCap_.end(),
+      [](const PointOnCap& a, const PointOnCap& b) { return a.sample < b.sample; });
+    if (onCap_.empty())
+    {
+      return;
+    }
+    std::vector<double> values;
+    surface_.otherCap().resolve(
+      onCap_, surface_.usesFarFieldAtPoints(onCap_.size()), values, executor);
+    for (std::size_t n = 0; n < onCap_.size(); ++n)
+    {
+      output_.fill(values[n], onCap_[n].sample, 1);
+    }
   }
 
 private:

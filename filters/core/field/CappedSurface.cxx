@@ -11,6 +11,9 @@
 #include "surface/RepeatedLoops.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
 
 namespace winding
 {
@@ -41,12 +44,55 @@ CappedSurface::CappedSurface(const Surface& surface, const BoundaryChain& chain,
   order_ = accuracy.order;
   if (capSum == CapSum::farField || !isCheaperDirectly(Primitive::triangle, cap_.size(), order_))
   {
+    accuracy_ = accuracy;
     capFarField_ = std::make_unique<const TriangleFarField>(
       surface.vertices, ChainView(cap_, capMultiplicities_), surface.bounds, accuracy);
   }
 }
 
 CappedSurface::~CappedSurface() = default;
+
+namespace
+{
+
+/// w of the fan at all samples of a cell, by its far field.
+class FanOfCell final : public RowSink
+{
+public:
+  FanOfCell(const FarField& farField, GridCells cells, const FarFieldTask& task)
+    : box_(cells.samplesOf(task.cell))
+    , values_(sampleCount(box_))
+    , areOnFan_(values_.size())
+  {
+    cells.setSink(*this);
+    farField.evaluate(cells, task, true);
+  }
+
+  void row(int i, int j, int k, std::size_t count, const float* values,
+    const bool* isSuspect) const override
+  {
+    const std::size_t first = sampleNumber(box_, i, j, k);
+    std::copy(values, values + count, &values_[first]);
+    if (isSuspect)
+    {
+      std::copy(isSuspect, isSuspect + count, &areOnFan_[first]);
+    }
+  }
+
+  void addTo(FanValues& fan, const SampleOnCap& sample) const
+  {
+    const std::size_t number = sampleNumber(box_, sample.i, sample.j, sample.k);
+    fan.values.push_back(-values_[number]);
+    fan.areOnFan.push_back(areOnFan_[number]);
+  }
+
+private:
+  Extent box_;
+  mutable std::vector<float> values_;
+  mutable std::vector<char> areOnFan_;
+};
+
+} // namespace
 
 /**
  * All rows through cells that lie behind each other along x. A bar holds the runs of equal χ in
@@ -105,8 +151,20 @@ public:
     output_.write(values, sampleNumber(extent_, i, j, k), count);
   }
 
+  std::size_t samplesOnCap() const { return onCap_.size(); }
+
+  /// Takes −w of the fan at the samples on the cap that have come since the last call.
+  void addFan(const FarField& farField, const GridCells& cells, const FarFieldTask& task) const
+  {
+    const FanOfCell fan(farField, cells, task);
+    for (std::size_t n = fan_.values.size(); n < onCap_.size(); ++n)
+    {
+      fan.addTo(fan_, onCap_[n]);
+    }
+  }
+
   /// Writes the values of samples on the cap, after the values of all rows.
-  void finish() const { surface_.resolveOnCap(grid_, extent_, onCap_, output_); }
+  void finish() const { surface_.resolveOnCap(grid_, extent_, onCap_, &fan_, output_); }
 
 private:
   const CappedSurface& surface_;
@@ -116,6 +174,7 @@ private:
   std::vector<std::size_t> starts_; ///< each row's first run in runs_
   std::vector<RowRun> runs_;
   mutable std::vector<SampleOnCap> onCap_;
+  mutable FanValues fan_; ///< at these
 };
 
 void CappedSurface::evaluateByFarField(
@@ -124,6 +183,22 @@ void CappedSurface::evaluateByFarField(
   const std::shared_ptr<const FarField> farField = capFarField_->suiting(grid, executor);
   GridCells cells(grid, extent, farField->scale(), farField->order());
   std::vector<FarFieldTask> tasks = farField->tasks(cells, cells.taskLevel());
+  std::once_flag isFanAskedFor;
+  std::shared_ptr<const FarField> fan;
+  std::map<std::array<int, 3>, FarFieldTask> fanTasks; // by cell
+  const auto indexOf = [](const FarFieldTask& task)
+  {
+    return std::array<int, 3>{task.cell.index[0], task.cell.index[1], task.cell.index[2]};
+  };
+  const auto askForFan = [&]
+  {
+    SerialExecutor serial;
+    fan = this->otherCap().fanFarField()->suiting(grid, serial);
+    for (FarFieldTask& task : fan->tasks(cells, cells.taskLevel()))
+    {
+      fanTasks.emplace(indexOf(task), std::move(task));
+    }
+  };
   // Cells with the same rows are put together, so that the rows' crossings are found once.
   const auto rowsOf = [](const FarFieldTask& task)
   {
@@ -160,7 +235,13 @@ void CappedSurface::evaluateByFarField(
       barCells.setSink(bar);
       for (std::size_t task = starts[number]; task < starts[number + 1]; ++task)
       {
+        const std::size_t before = bar.samplesOnCap();
         farField->evaluate(barCells, tasks[task], true);
+        if (bar.samplesOnCap() > before)
+        {
+          std::call_once(isFanAskedFor, askForFan);
+          bar.addFan(*fan, cells, fanTasks.at(indexOf(tasks[task])));
+        }
       }
       bar.finish();
     });
@@ -205,7 +286,7 @@ void CappedSurface::evaluate(
       onGrid.evaluate(layer, band,
         [&](int j, int k, const std::vector<RowRun>& runs)
         { this->evaluateRow(grid, extent, j, k, runs, output, onCap); });
-      this->resolveOnCap(grid, extent, onCap, output);
+      this->resolveOnCap(grid, extent, onCap, nullptr, output);
     },
     executor);
 }
@@ -260,19 +341,19 @@ void CappedSurface::evaluateRow(const Grid& grid, const Extent& extent, int j, i
 const OtherCap& CappedSurface::otherCap() const
 {
   std::call_once(isOtherCapMade_,
-    [this] { otherCap_ = std::make_unique<const OtherCap>(surface_, *loops_, cap_); });
+    [this] { otherCap_ = std::make_unique<const OtherCap>(surface_, *loops_, cap_, accuracy_); });
   return *otherCap_;
 }
 
 void CappedSurface::resolveOnCap(const Grid& grid, const Extent& extent,
-  const std::vector<SampleOnCap>& samples, const FieldOutput& output) const
+  const std::vector<SampleOnCap>& samples, const FanValues* fan, const FieldOutput& output) const
 {
   if (samples.empty())
   {
     return;
   }
   std::vector<double> values;
-  this->otherCap().resolve(grid, samples, values);
+  this->otherCap().resolve(grid, samples, fan, values);
   FieldOutput again = output;
   again.sides = nullptr; // they were counted when they were written first
   for (std::size_t n = 0; n < samples.size(); ++n)

@@ -15,6 +15,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 
 namespace winding
 {
@@ -107,7 +108,7 @@ private:
   /// The other cap, made when it is first asked for; only where there is a cap.
   const OtherCap& otherCap() const;
   void resolveOnCap(const Grid& grid, const Extent& extent, const std::vector<SampleOnCap>& samples,
-    const FieldOutput& output) const;
+    const FanValues* fan, const FieldOutput& output) const;
 
   const Surface& surface_;
   TriangleList cap_;
@@ -122,6 +123,7 @@ private:
   Bounds bounds_; ///< box of the surface
   CapSum choice_;
   int order_ = 0;                                       ///< order of the cap's far field
+  std::optional<FarFieldAccuracy> accuracy_;            ///< of that
   std::unique_ptr<const TriangleFarField> capFarField_; ///< null where the cap is summed directly
 };
 

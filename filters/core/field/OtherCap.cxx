@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/OtherCap.h"
 
-#include "rays/RayTriangle.h"
-#include "source/UnitScale.h"
+#include "base/FieldOutput.h"
+#include "farfield/PointCells.h"
+#include "farfield/TriangleFarField.h"
 #include "surface/Cap.h"
 
 #include <algorithm>
@@ -24,31 +25,59 @@ using Places = std::vector<std::size_t>;
 /// Sums at some of the samples, and returns the places of those that lie on a triangle.
 template <class PositionOf>
 Places sumAt(const TriangleSum& sum, const PositionOf& positionOf, const Places& places,
-  std::vector<double>& values)
+  std::vector<double>& values, Executor& executor)
 {
-  Places onTriangles;
-  SampleBlock block;
-  for (std::size_t first = 0; first < places.size(); first += block.count)
-  {
-    block.count = std::min(SampleBlock::capacity, places.size() - first);
-    for (std::size_t n = 0; n < block.count; ++n)
+  constexpr std::size_t perBlock = SampleBlock::capacity;
+  std::vector<char> areOnTriangles(places.size(), 0);
+  executor.run((places.size() + perBlock - 1) / perBlock,
+    [&](std::size_t number)
     {
-      block.set(n, positionOf(places[first + n]));
-    }
-    double sums[SampleBlock::capacity];
-    bool isSuspect[SampleBlock::capacity];
-    const bool any = sum.evaluateWatching(block, sums, isSuspect);
-    for (std::size_t n = 0; n < block.count; ++n)
-    {
-      values[places[first + n]] = sums[n];
-      if (any && isSuspect[n])
+      const std::size_t first = number * perBlock;
+      SampleBlock block;
+      block.count = std::min(perBlock, places.size() - first);
+      for (std::size_t n = 0; n < block.count; ++n)
       {
-        onTriangles.push_back(places[first + n]);
+        block.set(n, positionOf(places[first + n]));
       }
+      double sums[SampleBlock::capacity];
+      bool isSuspect[SampleBlock::capacity];
+      const bool any = sum.evaluateWatching(block, sums, isSuspect);
+      for (std::size_t n = 0; n < block.count; ++n)
+      {
+        values[places[first + n]] = sums[n];
+        areOnTriangles[first + n] = any && isSuspect[n];
+      }
+    });
+  Places onTriangles;
+  for (std::size_t n = 0; n < places.size(); ++n)
+  {
+    if (areOnTriangles[n])
+    {
+      onTriangles.push_back(places[n]);
     }
   }
   return onTriangles;
 }
+
+/// Keeps the values of the fan's far field.
+class FanSink final : public PointSink
+{
+public:
+  explicit FanSink(FanValues& fan)
+    : fan_(fan)
+  {
+  }
+
+  void askFor(std::size_t) const override {}
+  void point(std::size_t sample, double value, bool isSuspect) const override
+  {
+    fan_.values[sample] = -value;
+    fan_.areOnFan[sample] = isSuspect;
+  }
+
+private:
+  FanValues& fan_;
+};
 
 bool isBefore(const SampleOnCap& a, const SampleOnCap& b)
 {
@@ -92,13 +121,16 @@ void addRows(const RowCrossings& rows, int factor, const Grid& grid, const Sampl
 
 } // namespace
 
-OtherCap::OtherCap(const Surface& surface, const RepeatedLoops& repeated, const TriangleList& cap)
+OtherCap::OtherCap(const Surface& surface, const RepeatedLoops& repeated, const TriangleList& cap,
+  const std::optional<FarFieldAccuracy>& accuracy)
   : surface_(surface)
   , cap_(cap)
   , capMultiplicities_(repeated.multiplicities(trianglesOfCap))
   , fanMultiplicities_(repeated.multiplicities(trianglesOfFan))
+  , lessCap_(capMultiplicities_)
   , capRows_(vertices_, {cap_, capMultiplicities_})
   , fanRows_(vertices_, {fan_, fanMultiplicities_})
+  , between_(vertices_, {fan_, fanMultiplicities_}, {cap_, lessCap_}, surface.bounds)
   , surfaceSum_(surface)
   , fanSum_(vertices_, {fan_, fanMultiplicities_}, surface.bounds)
 {
@@ -137,44 +169,72 @@ OtherCap::OtherCap(const Surface& surface, const RepeatedLoops& repeated, const 
     loops.add({ofLoop.data(), ofLoop.data() + ofLoop.size()});
   }
   fan_ = fanOf(loops, vertices_);
+  lessCap_.resize(cap_.size(), 1);
+  for (std::int32_t& multiplicity : lessCap_)
+  {
+    multiplicity = -multiplicity;
+  }
+  if (accuracy)
+  {
+    fanFarField_ = std::make_unique<const TriangleFarField>(
+      vertices_, ChainView(fan_, fanMultiplicities_), surface.bounds, *accuracy);
+  }
 }
+
+OtherCap::~OtherCap() = default;
 
 /// Writes to `values` what sums give: the surface's, or −w of the fan at the places that are
 /// returned, where χ of the surface and the fan is to be added.
 template <class PositionOf>
-Places OtherCap::sumsAt(
-  std::size_t count, const PositionOf& positionOf, std::vector<double>& values) const
+Places OtherCap::sumsAt(std::size_t count, const PositionOf& positionOf, const FanValues* fan,
+  std::vector<double>& values, Executor& executor) const
 {
   values.resize(count);
   Places places(count);
   std::iota(places.begin(), places.end(), std::size_t{0});
-  const bool isSumFirst = surface_.triangles.size() <= cap_.size() + fan_.size();
+  const bool isSumFirst = !fan && surface_.triangles.size() <= cap_.size() + fan_.size();
   if (isSumFirst)
   {
-    places = sumAt(surfaceSum_, positionOf, places, values);
+    places = sumAt(surfaceSum_, positionOf, places, values, executor);
   }
-  std::vector<double> fanValues(count);
-  const Places onBoth = sumAt(fanSum_, positionOf, places, fanValues);
+  FanValues own;
+  Places onBoth;
+  if (fan)
+  {
+    std::copy_if(places.begin(), places.end(), std::back_inserter(onBoth),
+      [fan](std::size_t place) { return fan->areOnFan[place] != 0; });
+  }
+  else
+  {
+    own.values.resize(count);
+    onBoth = sumAt(fanSum_, positionOf, places, own.values, executor);
+    for (double& value : own.values)
+    {
+      value = -value;
+    }
+  }
   if (!isSumFirst)
   {
-    sumAt(surfaceSum_, positionOf, onBoth, values);
+    sumAt(surfaceSum_, positionOf, onBoth, values, executor);
   }
   Places byFan;
   std::set_difference(
     places.begin(), places.end(), onBoth.begin(), onBoth.end(), std::back_inserter(byFan));
   for (const std::size_t place : byFan)
   {
-    values[place] = -fanValues[place];
+    values[place] = (fan ? *fan : own).values[place];
   }
   return byFan;
 }
 
-void OtherCap::resolve(
-  const Grid& grid, const std::vector<SampleOnCap>& samples, std::vector<double>& values) const
+void OtherCap::resolve(const Grid& grid, const std::vector<SampleOnCap>& samples,
+  const FanValues* fan, std::vector<double>& values) const
 {
+  SerialExecutor serial; // samples are resolved in blocks that run in parallel
   Places byFan = this->sumsAt(
     samples.size(),
-    [&](std::size_t n) { return grid.sample(samples[n].i, samples[n].j, samples[n].k); }, values);
+    [&](std::size_t n) { return grid.sample(samples[n].i, samples[n].j, samples[n].k); }, fan,
+    values, serial);
   if (byFan.empty())
   {
     return;
@@ -196,42 +256,32 @@ void OtherCap::resolve(
   }
 }
 
-void OtherCap::resolve(const std::vector<PointOnCap>& samples, std::vector<double>& values) const
+void OtherCap::resolve(const std::vector<PointOnCap>& samples, bool byFarField,
+  std::vector<double>& values, Executor& executor) const
 {
+  std::vector<Eigen::Vector3d> positions;
+  for (const PointOnCap& sample : samples)
+  {
+    positions.push_back(sample.position);
+  }
+  const VectorsView view(positions.empty() ? nullptr : positions[0].data(), positions.size());
+  FanValues fan;
+  if (byFarField)
+  {
+    fan.values.resize(samples.size());
+    fan.areOnFan.resize(samples.size());
+    fanFarField_->suiting(view, executor)->evaluate(view, FanSink(fan), true, executor);
+  }
   const Places byFan = this->sumsAt(
-    samples.size(), [&](std::size_t n) { return samples[n].position; }, values);
-  if (byFan.empty())
-  {
-    return;
-  }
-  std::vector<double> integers(samples.size());
+    samples.size(), [&](std::size_t n) { return positions[n]; }, byFarField ? &fan : nullptr,
+    values, executor);
+  std::vector<double> crossings(samples.size());
+  FieldOutput output;
+  output.doubleValues = crossings.data();
+  between_.evaluate(view, output, executor);
   for (const std::size_t place : byFan)
   {
-    integers[place] = samples[place].integer;
-  }
-  this->addCrossings({cap_, capMultiplicities_}, -1, samples, byFan, integers);
-  this->addCrossings({fan_, fanMultiplicities_}, 1, samples, byFan, integers);
-  for (const std::size_t place : byFan)
-  {
-    values[place] += integers[place];
-  }
-}
-
-/// Adds the crossings of the rays from some of the samples with a chain, times a factor.
-void OtherCap::addCrossings(const ChainView& chain, int factor,
-  const std::vector<PointOnCap>& samples, const Places& places, std::vector<double>& values) const
-{
-  const double scale = unitScale(surface_.bounds);
-  for (std::size_t i = 0; i < chain.size(); ++i)
-  {
-    const Triangle& ids = chain[i];
-    const RayTriangle triangle(
-      vertices_[ids[0]] * scale, vertices_[ids[1]] * scale, vertices_[ids[2]] * scale);
-    for (const std::size_t place : places)
-    {
-      values[place] +=
-        factor * chain.multiplicity(i) * triangle.crossing(samples[place].position * scale);
-    }
+    values[place] += samples[place].integer + crossings[place];
   }
 }
 

@@ -2,16 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/Executor.h"
+#include "farfield/FarFieldAccuracy.h"
+#include "rays/PointCrossings.h"
 #include "rays/RowCrossings.h"
 #include "source/Grid.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
 #include "surface/RepeatedLoops.h"
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace winding
 {
+
+class TriangleFarField;
 
 /// A sample of a grid that lies on a surface's cap within rounding, and χ of both there.
 struct SampleOnCap
@@ -28,6 +35,13 @@ struct PointOnCap
   int integer;
 };
 
+/// −w of the fan at samples, and which of them lie on the fan.
+struct FanValues
+{
+  std::vector<double> values;
+  std::vector<char> areOnFan;
+};
+
 /**
  * The values of an open surface at samples on its cap (CappedSurface.h), where rounding could make
  * χ and w_C disagree about the side: there another cap decides, a fan that lies elsewhere. A sample
@@ -35,36 +49,47 @@ struct PointOnCap
  * both caps, the direct sum comes first; but a sample on the surface itself would get the mean of
  * both sides from it, so that the fan decides about that one.
  *
- * Guaranteed: a sample's value has the same bits whatever other samples are resolved with it. All
- * together cost little more than a sum over the surface for each; alone, a sample costs as much as
- * several, since sums are vectorised over samples.
+ * With an accuracy, w of the fan may come from its far field, as that of the cap does: a slice
+ * through the plane of a hole lies on the cap as a whole.
+ *
+ * Guaranteed: a sample's value has the same bits whatever other samples are resolved with it, if w
+ * of the fan comes from the direct sum, and for any executor.
  */
 class OtherCap
 {
 public:
   /// Keeps a reference to the surface; `cap` is capOf() its loops.
-  OtherCap(const Surface& surface, const RepeatedLoops& repeated, const TriangleList& cap);
+  OtherCap(const Surface& surface, const RepeatedLoops& repeated, const TriangleList& cap,
+    const std::optional<FarFieldAccuracy>& accuracy);
+  ~OtherCap();
 
-  /// Writes the value of each sample to values, in their order.
-  void resolve(
-    const Grid& grid, const std::vector<SampleOnCap>& samples, std::vector<double>& values) const;
+  /// The far field of the fan; null without an accuracy.
+  const TriangleFarField* fanFarField() const { return fanFarField_.get(); }
 
-  /// Does the same for scattered samples.
-  void resolve(const std::vector<PointOnCap>& samples, std::vector<double>& values) const;
+  /// Writes the value of each sample to `values`, in their order. `fan` has the values of its far
+  /// field there, and is null where the direct sum gives them.
+  void resolve(const Grid& grid, const std::vector<SampleOnCap>& samples, const FanValues* fan,
+    std::vector<double>& values) const;
+
+  /// Does the same for scattered samples, in O((n + m) log (n + m)) time for n samples and m edges
+  /// of rims if `byFarField`. Throws Interrupted.
+  void resolve(const std::vector<PointOnCap>& samples, bool byFarField, std::vector<double>& values,
+    Executor& executor) const;
 
 private:
   template <class PositionOf>
-  std::vector<std::size_t> sumsAt(
-    std::size_t count, const PositionOf& positionOf, std::vector<double>& values) const;
-  void addCrossings(const ChainView& chain, int factor, const std::vector<PointOnCap>& samples,
-    const std::vector<std::size_t>& places, std::vector<double>& values) const;
+  std::vector<std::size_t> sumsAt(std::size_t count, const PositionOf& positionOf,
+    const FanValues* fan, std::vector<double>& values, Executor& executor) const;
 
   const Surface& surface_;
   std::vector<Eigen::Vector3d> vertices_; ///< of the loops, and the fan's own
   TriangleList cap_, fan_;
   Multiplicities capMultiplicities_, fanMultiplicities_;
+  Multiplicities lessCap_; ///< multiplicities of the cap, negative
   RowCrossings capRows_, fanRows_;
+  PointCrossings between_; ///< crossings of the fan less the cap, which are closed together
   TriangleSum surfaceSum_, fanSum_;
+  std::unique_ptr<const TriangleFarField> fanFarField_;
 };
 
 } // namespace winding

@@ -29,16 +29,15 @@ inline std::size_t trianglesOfCap(const BoundaryLoop& loop)
 }
 
 /**
- * Makes another cap, a fan, by joining each loop to one new vertex near it. It is used where a
- * sample lies on the cap of capOf(): the new vertex is put where a second coincidence would be an
- * accident. `vertices` must hold the loops' vertices; the new ones are appended to it.
+ * Makes another cap, a fan, by joining each loop to one new vertex near it. Loops of more than 64
+ * vertices come to these by rings that have half of the vertices of the last one, each about an
+ * edge aside of it: so triangles are small at the rim. It is used where a sample lies on the cap of
+ * capOf(): new vertices are put where a second coincidence would be an accident. `vertices` must
+ * hold the loops' vertices; the new ones are appended to it.
  */
 TriangleList fanOf(const BoundaryLoops& loops, std::vector<Eigen::Vector3d>& vertices);
 
 /// The number of triangles that fanOf() makes of a loop.
-inline std::size_t trianglesOfFan(const BoundaryLoop& loop)
-{
-  return loop.size();
-}
+std::size_t trianglesOfFan(const BoundaryLoop& loop);
 
 } // namespace winding

@@ -7,6 +7,7 @@
 #include "sums/DirectSum.h"
 #include "sums/ReferenceSum.h"
 #include "support/RowValues.h"
+#include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 
@@ -303,6 +304,59 @@ TEST(CappedSurface, KeepsToleranceAtScatteredSamplesByAFarFieldOfTheCap)
   }
   EXPECT_TRUE(std::isnan(exact[samples.size() - 1]));
   EXPECT_TRUE(std::isnan(exact[samples.size() - 2]));
+}
+
+TEST(CappedSurface, KeepsToleranceInThePlaneOfALargeHole)
+{
+  // A slice through the plane in which a bowl was cut lies on its cap, and another cap has a far
+  // field, too.
+  constexpr double tolerance = 1e-3;
+  std::vector<std::array<double, 2>> profile;
+  for (int i = 0; i <= 20; ++i)
+  {
+    const double angle = 1.5707963267948966 * i / 20;
+    profile.push_back({i == 0 ? 0 : std::sin(angle), i == 20 ? 0 : -std::cos(angle)});
+  }
+  const winding::Surface surface = clean(lathe(profile, 500));
+  winding::SerialExecutor serial;
+  ShuffledThreads threads(7);
+  const CappedSurface capped(
+    surface, boundaryOf(surface), tolerance, serial, CappedSurface::CapSum::farField);
+  const Grid grid = gridOf({-1.21, -1.17, -0.5}, {0.05, 0.05, 0.125}, {47, 50, 9});
+  ASSERT_EQ(grid.sample(0, 0, 4)[2], 0);
+  ASSERT_TRUE(capped.usesFarField(grid));
+  const std::vector<double> values = valuesOn(capped, grid, grid.wholeExtent());
+  const Extent layer = {0, 46, 0, 49, 4, 4}, piece = {9, 40, 17, 33, 3, 5};
+  const std::vector<double> ofLayer = valuesOn(capped, grid, layer);
+  const std::vector<double> ofPiece = valuesOn(capped, grid, piece);
+  std::vector<Point> samples;
+  for (std::size_t n = 0; n < ofLayer.size(); ++n)
+  {
+    const Point q = grid.sample(layer, n);
+    const std::size_t inGrid = 4 * ofLayer.size() + n;
+    EXPECT_EQ(ofLayer[n], values[inGrid]);
+    EXPECT_NEAR(values[inGrid], winding::referenceSum<double>(surface, q), tolerance)
+      << q.transpose();
+    samples.push_back(q);
+  }
+  for (std::size_t n = 0; n < ofPiece.size(); ++n)
+  {
+    const int i = static_cast<int>(n % 32), j = static_cast<int>(n / 32 % 17),
+              k = static_cast<int>(n / 32 / 17);
+    EXPECT_EQ(ofPiece[n], values[winding::sampleNumber(grid.wholeExtent(), i + 9, j + 17, k + 3)]);
+  }
+  ASSERT_TRUE(capped.usesFarFieldAtPoints(samples.size()));
+  const std::vector<double> scattered = valuesAt(capped, samples);
+  std::vector<double> again(samples.size());
+  FieldOutput output;
+  output.doubleValues = again.data();
+  capped.evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, threads);
+  EXPECT_EQ(again, scattered);
+  for (std::size_t n = 0; n < samples.size(); ++n)
+  {
+    EXPECT_NEAR(scattered[n], winding::referenceSum<double>(surface, samples[n]), tolerance)
+      << samples[n].transpose();
+  }
 }
 
 TEST(CappedSurface, AtASampleAloneHasTheBitsThatItHasAmongOthers)

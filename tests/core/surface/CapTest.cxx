@@ -115,6 +115,25 @@ TEST(Cap, IsGradedFromTheRimToTheMiddle)
   }
 }
 
+TEST(Fan, ClosesLargeLoopsByTrianglesThatAreSmallAtTheRim)
+{
+  for (const int n : {64, 65, 66, 127, 128, 1000, 4097})
+  {
+    winding::Surface surface = clean(lathe({{0, 0}, {1, 1}}, n));
+    const auto loops = loopsOf(surface);
+    ASSERT_EQ(loops.size(), 1u);
+    const auto fan = winding::fanOf(loops, surface.vertices);
+    EXPECT_EQ(fan.size(), winding::trianglesOfFan(loops[0])) << n;
+    EXPECT_TRUE(isClosedBy(surface, fan)) << n;
+    std::size_t small = 0;
+    for (const Triangle& t : fan)
+    {
+      small += (surface.vertices[t[0]] - surface.vertices[t[2]]).norm() < 50.0 / n;
+    }
+    EXPECT_GE(small, n > 200 ? fan.size() * 7 / 10 : 0) << n;
+  }
+}
+
 TEST(Fan, HasItsApexBesideThePlaneOfTheLoop)
 {
   winding::Surface surface = clean(openCube());
