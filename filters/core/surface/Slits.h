@@ -20,7 +20,9 @@ namespace winding
  * opposite way: the dot product of their directions is negative. The width of an edge is the
  * largest at its two ends and its middle. It is 0 where a slit ends, the slit's width along a slit,
  * and about the hole's width at a hole. Where no edge runs the opposite way it is the diagonal of
- * the bounds.
+ * the bounds. Each point looks at a thousand boxes and edges at most, the nearest first. So where
+ * thousands of edges are about equally near, as in soups of large triangles, widths may be too
+ * large.
  *
  * Directions are the triangles' own. So the two sides of a slit cancel in the boundary chain where
  * widths are small. A triangle that is turned the wrong way leaves it open, and makes it wide.
@@ -40,7 +42,7 @@ struct Slits
   std::optional<double> widest() const;
 };
 
-/// Measures slits. Takes O(n log n) time in practice and 300 bytes for each of n edges of one
+/// Measures slits. Takes O(n log n) time and 300 bytes for each of n edges of one
 /// triangle. Throws Interrupted.
 Slits slitsOf(const Surface& surface, const SurfaceEdges& edges, Executor& executor);
 
