@@ -12,20 +12,41 @@
 namespace winding
 {
 
-CrossingTree::CrossingTree(const Surface& surface, const std::vector<std::int32_t>& partOfTriangle,
-  const std::vector<Bounds>& boundsOfPart)
-  : surface_(surface)
-  , partOfTriangle_(partOfTriangle)
-  , boundsOfPart_(boundsOfPart)
-  , scale_(unitScale(surface.bounds))
+namespace
 {
+
+/// Returns the numbers of the triangles whose parts have bounds.
+std::vector<std::int32_t> trianglesOfParts(
+  const std::vector<std::int32_t>& partOfTriangle, const std::vector<Bounds>& boundsOfPart)
+{
+  std::vector<std::int32_t> triangles;
   for (std::size_t i = 0; i < partOfTriangle.size(); ++i)
   {
     if (!boundsOfPart[partOfTriangle[i]].isEmpty())
     {
-      triangles_.push_back(static_cast<std::int32_t>(i));
+      triangles.push_back(static_cast<std::int32_t>(i));
     }
   }
+  return triangles;
+}
+
+} // namespace
+
+CrossingTree::CrossingTree(const Surface& surface, const std::vector<std::int32_t>& partOfTriangle,
+  const std::vector<Bounds>& boundsOfPart)
+  : CrossingTree(
+      surface, partOfTriangle, boundsOfPart, trianglesOfParts(partOfTriangle, boundsOfPart))
+{
+}
+
+CrossingTree::CrossingTree(const Surface& surface, const std::vector<std::int32_t>& partOfTriangle,
+  const std::vector<Bounds>& boundsOfPart, std::vector<std::int32_t> triangles)
+  : surface_(surface)
+  , partOfTriangle_(partOfTriangle)
+  , boundsOfPart_(boundsOfPart)
+  , scale_(unitScale(surface.bounds))
+  , triangles_(std::move(triangles))
+{
   if (!triangles_.empty())
   {
     this->makeNode(0, static_cast<std::int32_t>(triangles_.size()));

@@ -26,6 +26,10 @@ public:
   CrossingTree(const Surface& surface, const std::vector<std::int32_t>& partOfTriangle,
     const std::vector<Bounds>& boundsOfPart);
 
+  /// Takes some of the triangles alone.
+  CrossingTree(const Surface& surface, const std::vector<std::int32_t>& partOfTriangle,
+    const std::vector<Bounds>& boundsOfPart, std::vector<std::int32_t> triangles);
+
   /**
    * Calls visit(part, crossing) for the triangles that the ray from a vertex meets, with a crossing
    * of +1 or −1 (RayTriangle.h), in no particular order. The vertex itself counts as moved by the

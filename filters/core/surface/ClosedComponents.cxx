@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
@@ -164,7 +165,9 @@ class Nesting
 {
 public:
   Nesting(const Surface& surface, const Components& components)
-    : middles_(components.middles)
+    : surface_(surface)
+    , ofTriangle_(components.ofTriangle)
+    , middles_(components.middles)
     , bounds_(boundsOf(surface, components))
     , owners_(surface, components)
     , tree_(surface, components.ofTriangle, bounds_)
@@ -175,7 +178,10 @@ public:
   std::vector<Place> places(const Surface& surface, Executor& executor)
   {
     std::vector<std::vector<std::int32_t>> candidates = this->aroundMiddles(surface, executor);
-    this->findCandidates(surface, candidates, executor);
+    if (!this->findCandidates(surface, candidates, executor))
+    {
+      return this->placesInNextLarger(candidates, executor);
+    }
     this->refute(executor);
     std::vector<Place> places(bounds_.size());
     this->forEachPair([&](std::size_t inner, std::int32_t) { ++places[inner].depth; });
@@ -256,8 +262,9 @@ private:
   }
 
   /// Finds, for each other component, those that wind round one of its vertices and have room for
-  /// the whole of it.
-  void findCandidates(
+  /// the whole of it. Returns false where components are nested so deeply that it would take too
+  /// long to look at all that are around each of their vertices.
+  bool findCandidates(
     const Surface& surface, std::vector<std::vector<std::int32_t>>& candidates, Executor& executor)
   {
     // Rays start at each component's vertex that is farthest along them, so they leave the
@@ -272,6 +279,10 @@ private:
         foremost[owner] = static_cast<std::int32_t>(v);
       }
     }
+    const std::vector<std::size_t> counts = this->countsOfVertices();
+    constexpr std::size_t deepest = 64; // of a vertex, on average
+    const std::size_t most = deepest * surface.vertices.size();
+    std::atomic<std::size_t> pairs{0}; // of vertices and components around them
     runBlocks(
       candidates.size(), 256,
       [&](std::size_t, std::size_t first, std::size_t last)
@@ -279,11 +290,13 @@ private:
         WindingComponents windings;
         for (std::size_t inner = first; inner < last; ++inner)
         {
-          if (foremost[inner] < 0)
+          if (foremost[inner] < 0 || pairs > most)
           {
             continue;
           }
-          for (const std::int32_t outer : this->around(foremost[inner], windings))
+          const std::vector<std::int32_t>& outers = this->around(foremost[inner], windings);
+          pairs += outers.size() * counts[inner];
+          for (const std::int32_t outer : outers)
           {
             if (outer != static_cast<std::int32_t>(inner) &&
                 bounds_[outer].contains(bounds_[inner]))
@@ -294,11 +307,111 @@ private:
         }
       },
       executor);
+    if (pairs > most)
+    {
+      return false;
+    }
     for (const std::vector<std::int32_t>& outers : candidates)
     {
       candidates_.insert(candidates_.end(), outers.begin(), outers.end());
       starts_.push_back(candidates_.size());
     }
+    return true;
+  }
+
+  std::vector<std::size_t> countsOfVertices() const
+  {
+    std::vector<std::size_t> counts(bounds_.size(), 0);
+    for (const std::int32_t owner : owners_.ofVertices())
+    {
+      if (owner >= 0)
+      {
+        ++counts[owner];
+      }
+    }
+    return counts;
+  }
+
+  /// The places of components that do not cross each other: around each is the next larger one that
+  /// winds round all of its vertices, with all that is around that. `aroundMiddles` has the others
+  /// around each component that has middles.
+  std::vector<Place> placesInNextLarger(
+    const std::vector<std::vector<std::int32_t>>& aroundMiddles, Executor& executor) const
+  {
+    const double scale = unitScale(surface_.bounds);
+    std::vector<Volume> volumes(bounds_.size());
+    std::vector<std::vector<std::int32_t>> vertices(bounds_.size()), triangles(bounds_.size());
+    for (std::size_t v = 0; v < owners_.ofVertices().size(); ++v)
+    {
+      if (owners_.ofVertices()[v] >= 0)
+      {
+        vertices[owners_.ofVertices()[v]].push_back(static_cast<std::int32_t>(v));
+      }
+    }
+    for (std::size_t i = 0; i < ofTriangle_.size(); ++i)
+    {
+      triangles[ofTriangle_[i]].push_back(static_cast<std::int32_t>(i));
+      volumes[ofTriangle_[i]].add(surface_, surface_.triangles[i], scale);
+    }
+    std::vector<std::size_t> bySize;
+    std::vector<std::unique_ptr<const CrossingTree>> trees(bounds_.size());
+    for (std::size_t i = 0; i < bounds_.size(); ++i)
+    {
+      if (!bounds_[i].isEmpty())
+      {
+        bySize.push_back(i);
+        trees[i] =
+          std::make_unique<const CrossingTree>(surface_, ofTriangle_, bounds_, triangles[i]);
+      }
+    }
+    std::stable_sort(bySize.begin(), bySize.end(),
+      [&volumes](std::size_t a, std::size_t b)
+      { return std::abs(volumes[a].sum) < std::abs(volumes[b].sum); });
+    const auto windsRound = [&](std::size_t outer, std::size_t inner)
+    {
+      return bounds_[outer].contains(bounds_[inner]) &&
+             std::all_of(vertices[inner].begin(), vertices[inner].end(),
+               [&](std::int32_t vertex)
+               {
+                 int winding = 0;
+                 trees[outer]->forEachCrossing(
+                   vertex, [&winding](std::int32_t, int crossing) { winding += crossing; });
+                 return winding != 0;
+               });
+    };
+    std::vector<Place> places(bounds_.size());
+    runBlocks(
+      bySize.size(), 256,
+      [&](std::size_t, std::size_t first, std::size_t last)
+      {
+        for (std::size_t n = first; n < last; ++n)
+        {
+          const std::size_t inner = bySize[n];
+          const auto outer = std::find_if(
+            vertices[inner].empty() ? bySize.end() : bySize.begin() + std::ptrdiff_t(n) + 1,
+            bySize.end(), [&](std::size_t other) { return windsRound(other, inner); });
+          places[inner].around = outer == bySize.end() ? -1 : static_cast<std::int32_t>(*outer);
+        }
+      },
+      executor);
+    for (auto inner = bySize.rbegin(); inner != bySize.rend(); ++inner)
+    {
+      Place& place = places[*inner];
+      place.depth = place.around < 0 ? 0 : places[place.around].depth + 1;
+    }
+    for (std::size_t inner = 0; inner < bounds_.size(); ++inner)
+    {
+      const bool hasMiddles = vertices[inner].empty();
+      for (const std::int32_t outer :
+        hasMiddles ? aroundMiddles[inner] : std::vector<std::int32_t>())
+      {
+        const std::int32_t before = places[inner].around;
+        ++places[inner].depth;
+        places[inner].around =
+          before < 0 || places[outer].depth > places[before].depth ? outer : before;
+      }
+    }
+    return places;
   }
 
   /// Refutes candidates that do not wind round all vertices of the component inside them.
@@ -339,6 +452,8 @@ private:
       executor);
   }
 
+  const Surface& surface_;
+  const std::vector<std::int32_t>& ofTriangle_;
   const std::vector<Components::Middle>& middles_;
   std::vector<Bounds> bounds_;
   Owners owners_;

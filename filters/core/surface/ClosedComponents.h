@@ -42,9 +42,10 @@ struct ClosedComponent
 
 /// Finds the closed components, in the order of all components; the same for every executor. If
 /// there are several, it takes O((n + k) log n) time for n triangles, where k counts the triangles
-/// that rays from vertices of nested components meet: nesting has to be a thousand deep to be felt.
-/// It takes up to 60 bytes per triangle while it runs, and 4 for each pair of a component and one
-/// around it. Throws Interrupted.
+/// that rays from vertices of nested components meet. Where that would be more than 64 components
+/// for each vertex, components are taken not to cross each other. Each is looked for in the next
+/// larger ones then, which takes O(n log n) time for nested ones. It takes up to 120 bytes per
+/// triangle while it runs. Throws Interrupted.
 std::vector<ClosedComponent> closedComponents(
   const Surface& surface, const Components& components, Executor& executor);
 

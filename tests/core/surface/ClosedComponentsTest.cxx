@@ -9,6 +9,8 @@
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
+#include <Eigen/Geometry>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -290,6 +292,56 @@ TEST(ClosedComponents, ThousandsOfThemTakeNoTime)
   for (std::size_t i = 1; i < nest.size(); ++i)
   {
     EXPECT_EQ(nest[i], std::make_pair(i % 2 == 1 ? 1 : -1, 1)) << i;
+  }
+}
+
+TEST(ClosedComponents, MayBeNestedAThousandDeep)
+{
+  SCOPED_TRACE("seed 653");
+  Random random(653);
+  for (const int deep : {60, 1000})
+  {
+    // Boxes in boxes, in any order, with two balls between some of them.
+    std::vector<std::pair<Mesh, int>> parts;
+    for (int i = 0; i < deep; ++i)
+    {
+      const double size = 10 + i;
+      const Mesh outer = box({0, 0, 0}, size);
+      parts.emplace_back(i % 3 == 0 ? outer.reversed() : outer, deep - 1 - i);
+      if (i % 10 == 9)
+      {
+        parts.emplace_back(ball({size - 0.5, 0.3, 0.1}, 0.2, 0), deep - i);
+        parts.emplace_back(ball({0.5, size - 0.5, 0.7}, 0.3, 0), deep - i);
+      }
+    }
+    for (std::size_t i = parts.size(); i > 1; --i)
+    {
+      std::swap(parts[i - 1], parts[random.bits() % i]);
+    }
+    const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(random(0, 6), random.direction()).toRotationMatrix();
+    Mesh mesh;
+    for (const auto& [part, depth] : parts)
+    {
+      const auto first = static_cast<std::int32_t>(mesh.points.size());
+      for (const Point& point : part.points)
+      {
+        mesh.points.emplace_back(turn * point);
+      }
+      for (const auto& t : part.triangles)
+      {
+        mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+      }
+    }
+    const std::vector<ClosedComponent> found = closedComponents(mesh);
+    ASSERT_EQ(found.size(), parts.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      EXPECT_EQ(found[i].depth, parts[i].second) << i;
+      const std::int32_t around = found[i].around;
+      ASSERT_EQ(around < 0, found[i].depth == 0) << i;
+      EXPECT_EQ(around < 0 ? -1 : parts[around].second, found[i].depth - 1) << i;
+    }
   }
 }
 
