@@ -321,8 +321,14 @@ private:
       isTurned = !isTurned;
       for (std::size_t i = patch.first; i < patch.last; ++i)
       {
-        nets[uses[i].crowd] -= 2 * uses[i].net;
+        std::int32_t& net = nets[uses[i].crowd];
+        const std::int32_t before = std::exchange(net, net - 2 * uses[i].net);
         uses[i].net = -uses[i].net;
+        const bool keepsSign = net == 0 || (before < 0) == (net < 0);
+        if (keepsSign && std::abs(net) < std::abs(before))
+        {
+          continue; // others gain no more by their turn than before
+        }
         for (const std::size_t neighbor : patchesAt[uses[i].crowd])
         {
           if (!isQueued[neighbor])
