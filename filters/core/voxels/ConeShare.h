@@ -42,7 +42,9 @@ struct ConeTriangle
  * point.
  *
  * Takes time in proportion to the triangles, and to the pairs whose boxes overlap as seen from the
- * apex. Of n triangles on each other each is cut at the sides of all, which takes n³.
+ * apex. Hundreds of triangles that all pass through each other would be cut in n³ pieces. Where
+ * that would take far longer than meshes do, the share is the mean over some thousand rays from the
+ * apex, each exact. Of sixty boxes through each other it was as near as 60 000 samples: 0.0014.
  */
 class ConeShare
 {
@@ -81,6 +83,14 @@ private:
     int step;      ///< the change of w beyond it
   };
   using Piece = std::vector<Corner>;
+
+  /// A line to cut a polygon along, where that overlaps another one.
+  struct Line
+  {
+    Eigen::Vector3d along;
+    std::uint32_t other;
+  };
+
   using Edge = std::pair<std::int32_t, std::int32_t>; ///< its vertices, the lower first
 
   /// A polygon that overlaps another; `liesOn` says that both lie on each other, so that the one of
@@ -94,11 +104,20 @@ private:
   void add(const ConeTriangle& triangle, const Eigen::Matrix3d& weights, bool isInverted);
   void findPairs();
   void cutPair(std::size_t a, std::size_t b);
-  void cutAtLostEdges(std::size_t number, const Polygon& other);
+  void cutAtLostEdges(std::size_t number, std::size_t otherNumber);
   double change(std::size_t polygon, double winding);
   bool isInsideAt(double winding) const;
   double shadowOf(const Corner* corners, std::size_t count, double before, int step) const;
   double before(std::size_t polygon, const Eigen::Vector3d& at, double winding) const;
+  static bool isMet(const Polygon& polygon, const Eigen::Vector3d& direction);
+  double meanOverRays(double winding) const;
+
+  /// Counts work, in comparisons of boxes, and returns whether it may go on.
+  bool spend(double work)
+  {
+    left_ -= work;
+    return left_ > 0;
+  }
 
   InsideRule rule_;
   double threshold_;
@@ -106,8 +125,9 @@ private:
   std::vector<Polygon> polygons_;
   std::vector<Edge> lostEdges_; ///< of the triangles that are left out, sorted
   std::vector<std::uint32_t> order_;
-  std::vector<std::vector<Overlap>> others_;        ///< by polygon, those that overlap it
-  std::vector<std::vector<Eigen::Vector3d>> lines_; ///< by polygon, lines to cut it along
+  std::vector<std::vector<Overlap>> others_; ///< by polygon, those that overlap it
+  std::vector<std::vector<Line>> lines_;     ///< by polygon
+  double left_ = 0;                          ///< work that may still be done
   std::vector<Piece> pieces_, nextPieces_;
 };
 

@@ -703,6 +703,57 @@ TEST(CellFractions, TakeNoLongerWhereLayersAreNearEachOther)
   }
 }
 
+TEST(CellFractions, OfTanglesAreMeansOverRays)
+{
+  // Boxes turned at random, all through each other, in one cell: n³ pieces. Samples say how much of
+  // it is inside, with a standard deviation of 0.001.
+  for (const unsigned seed : {811U, 812U, 813U})
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Mesh tangle;
+    for (int i = 0; i < 60; ++i)
+    {
+      const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(random(0, 6), random.direction()).toRotationMatrix();
+      const Point middle = random.point(-1, 1), size = random.point(0.2, 1.5);
+      const Mesh box =
+        cube(-size, size).mapped([&](const Point& p) -> Point { return middle + turn * p; });
+      tangle = tangle.with(random.bits() % 3 == 0 ? box.reversed() : box);
+    }
+    const auto field = fieldOf(tangle);
+    CellList cell;
+    const std::vector<Point> corners = {{-4, -4, -4}, {8, -4, -4}, {-4, 8, -4}, {-4, -4, 8}};
+    cell.add(tetra, corners);
+    for (const auto& [rule, threshold] :
+      {std::pair(InsideRule::signedThreshold, 0.5), std::pair(InsideRule::signedThreshold, 3.5)})
+    {
+      std::vector<Point> samples;
+      for (int i = 0; i < 60'000; ++i)
+      {
+        Point weights = random.point(0, 1);
+        while (weights.sum() > 1)
+        {
+          weights = random.point(0, 1);
+        }
+        samples.push_back(Point::Constant(-4) + 12 * weights);
+      }
+      std::vector<unsigned char> inside(samples.size());
+      winding::FieldOutput output;
+      output.inside = inside.data();
+      output.rule = rule;
+      output.threshold = threshold;
+      winding::SerialExecutor serial;
+      field->evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, serial);
+      const double expected =
+        static_cast<double>(std::count(inside.begin(), inside.end(), 1)) / 60'000;
+      float found = 0;
+      winding::evaluateFractions(*field, cell, rule, threshold, &found, serial);
+      EXPECT_NEAR(found, expected, 0.006) << threshold; // measured: 0.0014
+    }
+  }
+}
+
 TEST(CellFractions, CanBeInterrupted)
 {
   const auto field = fieldOf(icosphere(2));
