@@ -73,7 +73,10 @@ std::string checkSoupTime(Choices& choices);
 /// Returns the longest time of both checks in words, relative to the direct sum's.
 std::string worstTime();
 
-/// All checks but checkTime() and checkSoupTime(), by name.
+/// The growth of time with the number of triangles that crowd at a place: GrowthCheck.cxx.
+std::string checkGrowth(Choices& choices);
+
+/// All checks but checkTime(), checkSoupTime() and checkGrowth(), by name.
 inline std::vector<NamedCheck> allChecks()
 {
   return {{"surface_field", checkSurfaceField}, {"cloud_field", checkCloudField},

@@ -4,8 +4,8 @@
 // Tries every check of the core on random cases, one case for each seed.
 // differential [cases] [first seed] [threads] [check]: prints the seeds of failures and a summary,
 // and returns 1 if any case failed. By default there are 1000 cases of all checks together, on all
-// threads. A check alone gets all of the cases; the checks "time" and "soup_time" run only so, and
-// report the worst time.
+// threads. A check alone gets all of the cases; the checks "time", "soup_time" and "growth" run
+// only so, and report the worst time.
 
 #include "Checks.h"
 
@@ -72,7 +72,12 @@ int main(int argc, char** argv)
   std::vector<fuzz::NamedCheck> checks;
   if (only == "time")
   {
-    checks = {{"time", fuzz::checkTime}, {"soup_time", fuzz::checkSoupTime}};
+    checks = {
+      {"time", fuzz::checkTime}, {"soup_time", fuzz::checkSoupTime}, {"growth", fuzz::checkGrowth}};
+  }
+  else if (only == "growth")
+  {
+    checks = {{"growth", fuzz::checkGrowth}};
   }
   else if (only == "soup_time")
   {
