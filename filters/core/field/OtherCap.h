@@ -49,8 +49,8 @@ struct FanValues
  * both caps, the direct sum comes first; but a sample on the surface itself would get the mean of
  * both sides from it, so that the fan decides about that one.
  *
- * With an accuracy, w of the fan may come from its far field, as that of the cap does: a slice
- * through the plane of a hole lies on the cap as a whole.
+ * A slice through the plane of a hole lies on the cap as a whole. So w of the fan may come from its
+ * far field, as w of the cap does, if there is an accuracy.
  *
  * Guaranteed: a sample's value has the same bits whatever other samples are resolved with it, if w
  * of the fan comes from the direct sum, and for any executor.

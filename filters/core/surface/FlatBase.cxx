@@ -27,7 +27,7 @@ namespace
 
 constexpr double shareOfBounds = 1e-6; ///< of distances from the base that do not count
 
-/// What would close a rim: a fan from the middle of its vertices. Lengths are scaled.
+/// A lid that closes a rim: a fan from the middle of its vertices. Lengths are scaled.
 struct Lid
 {
   Eigen::Vector3d area = Eigen::Vector3d::Zero(); ///< its vector area, outward as the faces are

@@ -33,8 +33,8 @@ struct CellsWithoutFraction
  * count by their signed volume, so cells need neither be convex nor turned the right way round.
  *
  * Where w changes at triangles only, as for a closed surface, the share is exact up to rounding
- * (ConeShare.h), whatever the rule, and however many solids overlap; where hundreds of triangles all
- * pass through each other in a cell, it is near that. A cell whose box no triangle meets takes one
+ * (ConeShare.h), whatever the rule, and however many solids overlap. It is near that where hundreds
+ * of triangles all pass through each other in a cell. A cell whose box no triangle meets takes one
  * sample.
  *
  * Elsewhere, near holes and for clouds, cells are divided where w is near the threshold, a triangle

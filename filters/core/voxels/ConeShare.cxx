@@ -29,7 +29,7 @@ constexpr double leastSide = 1e-9;
 /// triangles on each other.
 constexpr double leastDifference = 1e-12;
 
-/// Returns the work that a cone may take, in comparisons of boxes. Meshes of 86 000 triangles in one
+/// Returns the work that a cone may take, in comparisons of boxes. Meshes of 86 000 triangles in a
 /// cell take 600 for each polygon, the more the finer they are, and random solids 900 at most.
 double mostWork(std::size_t polygons)
 {
@@ -504,7 +504,7 @@ double ConeShare::meanOverRays(double winding) const
       }
     }
     std::sort(met.begin(), met.end());
-    double here = winding, volume = 0; // up to here, with that of the cone as 1
+    double here = winding, volume = 0; // w, and the share of the cone up to here
     for (const auto& [negative, step] : met)
     {
       if (-negative < 1)
