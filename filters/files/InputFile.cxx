@@ -87,6 +87,24 @@ void InputFile::read(std::size_t offset, char* bytes, std::size_t count) const
   }
 }
 
+void InputFile::readText(std::size_t offset, char* bytes, std::size_t count) const
+{
+  this->read(offset, bytes, count);
+  char behind = ' ';
+  if (count > 0 && bytes[count - 1] == '\r' && offset + count < this->size())
+  {
+    this->read(offset + count, &behind, 1);
+  }
+  for (std::size_t i = 0; i + 1 < count; ++i)
+  {
+    bytes[i] = bytes[i] == '\r' && bytes[i + 1] != '\n' ? '\n' : bytes[i];
+  }
+  if (count > 0 && bytes[count - 1] == '\r' && behind != '\n')
+  {
+    bytes[count - 1] = '\n';
+  }
+}
+
 std::size_t InputFile::textStart() const
 {
   constexpr std::string_view mark = "\xEF\xBB\xBF";
@@ -102,7 +120,7 @@ std::size_t InputFile::lineOf(std::size_t offset) const
   for (std::size_t first = 0; first < offset; first += bytes.size())
   {
     const std::size_t count = std::min(bytes.size(), offset - first);
-    this->read(first, bytes.data(), count);
+    this->readText(first, bytes.data(), count);
     line += static_cast<std::size_t>(std::count(bytes.data(), bytes.data() + count, '\n'));
   }
   return line;

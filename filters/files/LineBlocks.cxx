@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "files/LineBlocks.h"
 
+#include "files/Words.h"
+
 #include <algorithm>
 #include <cstring>
+#include <string_view>
 
 namespace winding
 {
@@ -35,7 +38,7 @@ std::size_t nextLine(const InputFile& file, std::size_t from, LineBlocks::Backsl
   while (searched < file.size())
   {
     const std::size_t count = std::min(bytes.size(), file.size() - first);
-    file.read(first, bytes.data(), count);
+    file.readText(first, bytes.data(), count);
     const char* const end = bytes.data() + count;
     const char* at = bytes.data() + (searched - first);
     while (at < end && (at = static_cast<const char*>(
@@ -53,11 +56,52 @@ std::size_t nextLine(const InputFile& file, std::size_t from, LineBlocks::Backsl
   return file.size();
 }
 
+/// Whether a comment begins between `at`, where a word may begin, and `end`.
+bool hasComment(const char* at, const char* end)
+{
+  std::string_view word;
+  do
+  {
+    word = takeWord(at, end);
+  } while (!word.empty() && word[0] != '#');
+  return !word.empty();
+}
+
+/// Writes blanks for the backslashes that join lines in `text`, and for the ends of these lines. The
+/// last of `size` bytes is the end of a line, and stays.
+void joinLines(char* text, std::size_t size)
+{
+  char* const last = text + size - 1;
+  char* known = text; // before it all is joined
+  char* at = text;
+  while (at < last &&
+         (at = static_cast<char*>(std::memchr(at, '\\', static_cast<std::size_t>(last - at)))))
+  {
+    char* const backslash = at++;
+    char* const end = at + (*at == '\r' ? 1 : 0);
+    if (*end != '\n')
+    {
+      continue;
+    }
+    const char* start = backslash;
+    while (start > known && start[-1] != '\n')
+    {
+      --start;
+    }
+    if (!hasComment(start, backslash))
+    {
+      std::fill(backslash, std::min(end + 1, last), ' ');
+    }
+    known = at = end + 1;
+  }
+}
+
 } // namespace
 
 LineBlocks::LineBlocks(
   const InputFile& file, std::size_t start, std::size_t bytesPerBlock, Backslash backslash)
   : file_(&file)
+  , backslash_(backslash)
   , starts_{std::max(start, file.textStart())}
 {
   while (starts_.back() < file.size())
@@ -71,10 +115,14 @@ TextBlock LineBlocks::read(std::size_t block) const
 {
   const std::size_t first = starts_[block], size = starts_[block + 1] - first;
   char last = '\n';
-  file_->read(first + size - 1, &last, 1);
+  file_->readText(first + size - 1, &last, 1);
   PlainArray<char> bytes(size + (last != '\n' ? 1 : 0));
-  file_->read(first, bytes.data(), size);
+  file_->readText(first, bytes.data(), size);
   bytes[bytes.size() - 1] = '\n'; // the file may change between both readings
+  if (backslash_ == Backslash::joinsLines)
+  {
+    joinLines(bytes.data(), bytes.size());
+  }
   return {std::move(bytes), first};
 }
 

@@ -56,7 +56,8 @@ class LineBlocks
 public:
   static constexpr std::size_t usualBytes = 1 << 18;
 
-  /// Whether a line that ends with a backslash stays together with the line behind it.
+  /// Whether a backslash at the end of a line, unless it is in a comment, joins the line with the
+  /// one behind it: the text then has blanks for both.
   enum class Backslash
   {
     joinsLines,
@@ -78,11 +79,12 @@ public:
 
   std::size_t count() const { return starts_.size() - 1; }
 
-  /// Reads a block. Throws FileRefusal where the file cannot be read.
+  /// Reads a block, with joined lines as one. Throws FileRefusal where the file cannot be read.
   TextBlock read(std::size_t block) const;
 
 private:
   const InputFile* file_;
+  Backslash backslash_ = Backslash::isLetter;
   std::vector<std::size_t> starts_; ///< places of the blocks, and the end of the file
 };
 

@@ -70,7 +70,7 @@ bool isFreeForm(std::string_view keyword)
   return std::find(std::begin(names), std::end(names), keyword) != std::end(names);
 }
 
-/// A line, or several that backslashes connect, and its statement.
+/// The lines of a text, and their statements.
 class ObjLines
 {
 public:
@@ -88,7 +88,10 @@ public:
       return false;
     }
     line_ = at_ = next_;
-    this->findEnd();
+    end_ =
+      static_cast<const char*>(std::memchr(next_, '\n', static_cast<std::size_t>(last_ - next_)));
+    next_ = end_ + 1;
+    end_ -= end_ > at_ && end_[-1] == '\r' ? 1 : 0;
     return true;
   }
 
@@ -118,17 +121,10 @@ public:
 
   bool takeNumber(double& value) { return winding::takeNumber(at_, end_, value); }
 
-  /// The next corner of a cell, on the next line where this one ends with a backslash; empty at the
-  /// end of the cell.
+  /// The next corner of a cell; empty at the end of the cell.
   std::string_view takeCorner()
   {
-    std::string_view word = takeWord(at_, end_);
-    while (word == "\\" && next_ < last_ && at_ == end_)
-    {
-      at_ = next_;
-      this->findEnd();
-      word = takeWord(at_, end_);
-    }
+    const std::string_view word = takeWord(at_, end_);
     return word.empty() || word[0] == '#' ? std::string_view() : word;
   }
 
@@ -139,14 +135,6 @@ public:
   const char* line() const { return line_; }
 
 private:
-  void findEnd()
-  {
-    end_ =
-      static_cast<const char*>(std::memchr(next_, '\n', static_cast<std::size_t>(last_ - next_)));
-    next_ = end_ + 1;
-    end_ -= end_ > at_ && end_[-1] == '\r' ? 1 : 0;
-  }
-
   const char* line_ = nullptr;
   const char* at_ = nullptr; ///< the unread rest of the line
   const char* end_ = nullptr;

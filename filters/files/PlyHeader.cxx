@@ -112,7 +112,7 @@ private:
     const std::size_t kept = text_.size();
     const std::size_t more = std::min(std::max(bytesAtOnce, kept), file_.size() - read_);
     text_.resize(kept + more);
-    file_.read(read_, &text_[kept], more);
+    file_.readText(read_, &text_[kept], more);
     read_ += more;
   }
 

@@ -67,7 +67,7 @@ Letters lettersOf(const InputFile& file)
   constexpr std::size_t looked = 1 << 16;
   const std::size_t start = file.textStart();
   std::string text(std::min(looked, file.size() - start), ' ');
-  file.read(start, text.data(), text.size());
+  file.readText(start, text.data(), text.size());
   std::size_t next = 0;
   while (next < text.size())
   {
@@ -115,7 +115,7 @@ std::vector<std::string> wordsOfComment(const InputFile& file)
   constexpr std::size_t looked = 4096;
   const std::size_t start = file.textStart();
   std::string text(std::min(looked, file.size() - start), ' ');
-  file.read(start, text.data(), text.size());
+  file.readText(start, text.data(), text.size());
   std::istringstream lines(text);
   std::string line, comment;
   while (std::getline(lines, line) && !line.empty() && line.front() == '#')

@@ -46,7 +46,7 @@ bool isBinary(const InputFile& file)
   constexpr std::size_t looked = 1024;
   const std::size_t start = file.textStart();
   std::string head(std::min(looked, file.size() - start), ' ');
-  file.read(start, head.data(), head.size());
+  file.readText(start, head.data(), head.size());
   std::size_t word = head.find_first_not_of(" \t\r\n");
   while (word < head.size() && head[word] == '#')
   {

@@ -27,7 +27,7 @@ TextBlock textFrom(const InputFile& file, std::size_t first, std::size_t bytes)
   const std::size_t count = std::min(bytes, file.size() - first);
   const bool isLast = first + count == file.size();
   PlainArray<char> text(count + (isLast ? 1 : 0));
-  file.read(first, text.data(), count);
+  file.readText(first, text.data(), count);
   if (isLast)
   {
     text[count] = '\n';

@@ -29,6 +29,20 @@ std::string randomText(std::mt19937& random)
   return text + (random() % 2 == 0 || text.empty() ? "end" : "");
 }
 
+/// Returns a text with blanks for the ends of lines that end with a backslash.
+std::string joined(std::string text)
+{
+  for (const std::string end : {"\\\n", "\\\r\n"})
+  {
+    for (std::size_t at = 0; (at = text.find(end, at)) != std::string::npos;)
+    {
+      text.replace(at, end.size(), end.size(), ' ');
+    }
+  }
+  text.back() = '\n'; // an end of the text, joined or not
+  return text;
+}
+
 bool mayBegin(const std::string& text, std::size_t at, LineBlocks::Backslash backslash)
 {
   const std::string before = text.substr(0, at);
@@ -53,17 +67,56 @@ TEST(LineBlocks, AreTheFileInWholeLines)
     const auto backslash =
       round % 2 == 0 ? LineBlocks::Backslash::joinsLines : LineBlocks::Backslash::isLetter;
     const LineBlocks blocks(input, 0, bytes, backslash);
-    std::string joined;
+    std::string read;
     for (std::size_t block = 0; block < blocks.count(); ++block)
     {
       const TextBlock part = blocks.read(block);
-      ASSERT_EQ(part.offsetOf(part.text().data()), joined.size());
-      ASSERT_TRUE(joined.empty() || mayBegin(text, joined.size(), backslash)) << text;
+      ASSERT_EQ(part.offsetOf(part.text().data()), read.size());
+      ASSERT_TRUE(read.empty() || mayBegin(text, read.size(), backslash)) << text;
       ASSERT_EQ(part.text().back(), '\n');
-      joined += part.text();
+      read += part.text();
     }
-    ASSERT_EQ(joined, text.back() == '\n' ? text : text + "\n");
+    const std::string whole = text.back() == '\n' ? text : text + "\n";
+    ASSERT_EQ(read, backslash == LineBlocks::Backslash::isLetter ? whole : joined(whole));
   }
+}
+
+TEST(LineBlocks, MayEndWithCarriageReturns)
+{
+  std::mt19937 random(1);
+  for (int round = 0; round < 300; ++round)
+  {
+    std::string text = randomText(random), plain;
+    for (std::size_t i = 0; i < text.size(); ++i)
+    {
+      const bool isEnd = text[i] == '\n' && (i == 0 || text[i - 1] != '\r');
+      text[i] = isEnd && random() % 2 == 0 ? '\r' : text[i];
+    }
+    for (std::size_t i = 0; i < text.size(); ++i)
+    {
+      plain += text[i] == '\r' && text[i + 1] != '\n' ? '\n' : text[i];
+    }
+    const TemporaryFile file(text);
+    const InputFile input(file.name());
+    const LineBlocks blocks(input, 0, 1 + random() % 10);
+    std::string read;
+    for (std::size_t block = 0; block < blocks.count(); ++block)
+    {
+      read += blocks.read(block).text();
+      const std::size_t place = std::min(read.size(), plain.size());
+      ASSERT_EQ(input.lineOf(place),
+        1 + std::count(plain.begin(), plain.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
+    }
+    ASSERT_EQ(read, plain.back() == '\n' ? plain : plain + "\n");
+  }
+}
+
+TEST(LineBlocks, CommentsAreNotJoined)
+{
+  const TemporaryFile file("a \\\n# b \\\nc #d\\\r\n\\\ne#f\\\n #\\\ng \\\\\nh\\");
+  const InputFile input(file.name());
+  const LineBlocks blocks(input, 0, 1000, LineBlocks::Backslash::joinsLines);
+  EXPECT_EQ(blocks.read(0).text(), "a   # b \\\nc #d\\\r\n  e#f   #\\\ng \\  h \n");
 }
 
 TEST(LineBlocks, LongLinesAreBlocksOfTheirOwn)

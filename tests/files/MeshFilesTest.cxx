@@ -10,7 +10,9 @@
 #include "files/LineBlocks.h"
 #include "files/ObjFile.h"
 #include "files/OffFile.h"
+#include "files/PlyFile.h"
 #include "files/PointsFile.h"
+#include "files/StlFile.h"
 
 #include <gtest/gtest.h>
 
@@ -37,6 +39,26 @@ TEST(ObjFile, PolygonsLinesAndPoints)
   expectCells(mesh.polygons, {0, 3, 7, 11}, {0, 1, 2, 0, 1, 2, 0, 0, 1, 2, 0});
   expectCells(mesh.lines, {0, 3}, {0, 1, 2});
   expectCells(mesh.vertices, {0, 1}, {2});
+}
+
+TEST(ObjFile, BackslashesJoinLinesOfAllStatements)
+{
+  const std::string text = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nvn 0 0 1\nvn 0 1 0\n"
+                           "vn 1 0 0\ng left 1\nf 1 2 3\nl 1 2\np 3\n";
+  const MeshArrays plain = parsed(readObj, text);
+  for (const std::string end : {"\\\n", " \\\r\n", "\\\n\\\n \t", "\\\r"})
+  {
+    std::string broken;
+    for (const char letter : text)
+    {
+      broken += letter == ' ' ? (end.back() == ' ' ? end : end + ' ') : std::string(1, letter);
+    }
+    const MeshArrays mesh = parsed(readObj, "# a comment \\\n" + broken + "# \\\np 1 2 # \\\np 2");
+    ASSERT_EQ(mesh.vertices.count(), 3u) << broken;
+    expectSame(mesh, parsed(readObj, text + "p 1 2\np 2\n"));
+    EXPECT_EQ(vectorOf(mesh.colors), vectorOf(plain.colors));
+    ASSERT_EQ(mesh.regions.size(), plain.regions.size());
+  }
 }
 
 TEST(ObjFile, NormalsAreThoseOfVertices)
@@ -158,7 +180,7 @@ TEST(ObjFile, Refusals)
     "line 4: a face with 2 corners, which needs three; it is truncated or damaged");
   expect(threeVertices + "f\n", "line 4: a face with 0 corners");
   expect(threeVertices + "f 1 2 # 3\n", "line 4: a face with 2 corners");
-  expect(threeVertices + "f 1 2 \\", "line 4: vertex \\ does not exist");
+  expect(threeVertices + "f 1 2 \\", "line 4: a face with 2 corners, ");
   expect(threeVertices + "l 1\n", "line 4: a line with 1 corners, which needs two");
   expect(threeVertices + "p\n", "line 4: a point with 0 corners, which needs one");
   expect(
@@ -546,6 +568,48 @@ TEST(InterruptedFiles, GiveNothing)
     shapes::Interruption executor(0);
     EXPECT_THROW(parsed(parser, text, executor), Interrupted);
   }
+}
+
+/// Returns `text` with `end` for the ends of its lines, of which every `every`-th only.
+std::string withEnds(const std::string& text, const std::string& end, int every = 1)
+{
+  std::string other;
+  int line = 0;
+  for (const char letter : text)
+  {
+    other += letter == '\n' && ++line % every == 0 ? end : std::string(1, letter);
+  }
+  return other;
+}
+
+TEST(TextFiles, MayHaveLinesThatEndWithCarriageReturns)
+{
+  const std::pair<Parser, std::string> files[] = {
+    {readObj, "# made by hand\nv 0 0 0\nv 1 0 0 # a\nv 0 1 0\n\nf 1 2 \\\n3\nl 1 2\n"},
+    {readOff, "OFF\n# a comment\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+    {readStl, "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+              "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n"},
+    {readPly, "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+              "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+              "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+    {readPoints, "# x y z\n0 0 0 0 0 1\n1,0,0,0,0,1\n0 1 0 0 0 1\n"}};
+  for (const auto& [parser, text] : files)
+  {
+    const MeshArrays plain = parsed(parser, text);
+    EXPECT_EQ(plain.points.count(), 3u) << text;
+    for (const std::string end : {"\r", "\r\n"})
+    {
+      for (const int every : {1, 2, 3})
+      {
+        const std::string mark = parser == readPly ? "" : "\xEF\xBB\xBF";
+        expectSame(parsed(parser, withEnds(text, end, every)), plain);
+        expectSame(parsed(parser, mark + withEnds(text, end, every)), plain);
+      }
+    }
+  }
+  EXPECT_EQ(
+    refusalOf(readOff, withEnds("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "\r")).substr(0, 7),
+    "line 4:");
 }
 
 } // namespace

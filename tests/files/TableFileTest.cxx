@@ -202,6 +202,16 @@ TEST(TableFile, KeepsRows)
   EXPECT_EQ(table.rows, (std::vector<std::string_view>{first, second}));
 }
 
+TEST(TableFile, LinesMayEndWithCarriageReturns)
+{
+  const Table table =
+    read("x,y,z,nx,ny,nz,t\r1,2,3,0,0,1,\"a,\r\nb\"\r4,5,6,0,0,1,7\r", withOthers);
+  EXPECT_EQ(vectorOf(table.points.points.doubles), (Numbers{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(table.header, "x,y,z,nx,ny,nz,t\n");
+  EXPECT_EQ(
+    table.rows, (std::vector<std::string_view>{"1,2,3,0,0,1,\"a,\r\nb\"", "4,5,6,0,0,1,7"}));
+}
+
 TEST(TableFile, TabsSeparate)
 {
   Way way = withOthers;
