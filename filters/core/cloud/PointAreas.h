@@ -46,7 +46,8 @@ struct PointAreaOptions
  * A point with nearly no similar neighbours is taken to have a wrong normal, and all of its
  * neighbours count: else few flipped normals would have the areas of many. neighbors is k, at least
  * 3; where k neighbours leave a cell open, or few of them are similar, four times as many are
- * looked at. Areas are in squared units of the positions, finite, and 0 or more: 0 where rounding
+ * looked at, and thirty spots where most points lie in spots of more than k / 8, as several scans
+ * of one surface make them. Areas are in squared units of the positions, finite, and 0 or more: 0 where rounding
  * leaves nothing of a cell between its neighbours, and for all points of a cloud that has one place
  * only, for then nothing defines an area.
  *

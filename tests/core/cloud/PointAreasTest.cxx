@@ -85,6 +85,23 @@ Cloud lattice(int side, double shift, unsigned seed)
   return cloud;
 }
 
+/// Points of several scans of the same places, each up to `noise` off in each direction.
+Cloud scansOf(const Cloud& places, int scans, double noise)
+{
+  Random random(1);
+  Cloud cloud;
+  for (int scan = 0; scan < scans; ++scan)
+  {
+    for (const Point& place : places.positions)
+    {
+      cloud.positions.push_back(
+        place + Point(random(-noise, noise), random(-noise, noise), random(-noise, noise)));
+    }
+    cloud.normals.insert(cloud.normals.end(), places.normals.begin(), places.normals.end());
+  }
+  return cloud;
+}
+
 /// The area of the part of the unit sphere that is nearer to one point of a cloud than to all
 /// others. Bisectors, seen from the centre of the sphere, are straight lines in the point's tangent
 /// plane.
@@ -392,6 +409,24 @@ TEST(VoronoiAreas, AreNotDrawnAwayByAFarOutlier)
   record("outlier", after.back() / largest);
   EXPECT_LT(after.back(), 10 * largest);
   EXPECT_LT(relativeError(total(after) - after.back(), total(before)), 0.01);
+}
+
+TEST(VoronoiAreas, OfScansThatShareSpotsAreThoseOfTheSpots)
+{
+  const Cloud sphere = randomSphere(500, 1); // 0.16 apart
+  const Cloud plate = lattice(15, 0.3, 1);
+  for (const int scans : {2, 5, 20, 50})
+  {
+    for (const double noise : {1e-9, 5e-3})
+    {
+      const Cloud cloud = scansOf(sphere, scans, noise);
+      EXPECT_LT(relativeError(total(voronoiAreas(clean(cloud))), sphereArea), 0.02) // 0.009
+        << scans << " scans, noise " << noise;
+    }
+    const double area = total(voronoiAreas(clean(plate)));
+    EXPECT_LT(relativeError(total(voronoiAreas(clean(scansOf(plate, scans, 1e-4)))), area), 0.1) // 0.08
+      << scans;
+  }
 }
 
 TEST(VoronoiAreas, DoNotDependOnTheOrderOfThePointsOrTheThreads)
