@@ -326,6 +326,12 @@ TEST_F(ThreeMf, MayHaveManyParts)
   }
   this->expectRefused(
     packageOf(modelOf(pairs, R"(<item objectid="49"/>)")), "its build has too many triangles");
+  std::string copies;
+  for (int i = 0; i < 200000; ++i)
+  {
+    copies += R"(<item objectid="1"/>)";
+  }
+  this->expectRefused(packageOf(modelOf(cube, copies)), "or objects, for it repeats objects");
 }
 
 TEST_F(ThreeMf, LeavesSupportsOut)

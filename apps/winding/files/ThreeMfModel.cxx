@@ -328,8 +328,12 @@ private:
     }
   }
 
-  ThreeMfPlace placeOf(const Element& element) const
+  ThreeMfPlace placeOf(const Element& element)
   {
+    if (++places_ > mostObjects)
+    {
+      refuseRepetitions(element.archive);
+    }
     ThreeMfPlace place;
     place.part = path_.empty() ? "" : plainPath(element.text(path_));
     place.id = element.text("objectid");
@@ -354,6 +358,7 @@ private:
   std::string path_;   ///< the attribute of the production extension; empty where there is none
   std::string note_;   ///< the name of the note at hand
   bool isBegun_ = false;
+  int places_ = 0;
   ThreeMfObject* object_ = nullptr;
 };
 
@@ -427,6 +432,11 @@ private:
 };
 
 } // namespace
+
+void refuseRepetitions(const ZipArchive& archive)
+{
+  archive.refuse("its build has too many triangles or objects, for it repeats objects very often");
+}
 
 std::string firstPartOf(const ZipArchive& archive)
 {

@@ -63,6 +63,12 @@ struct SlicerObject
   std::vector<SlicerPart> ranges;
 };
 
+/// How many objects a build may place. Each takes some kilobytes.
+constexpr int mostObjects = 1 << 16;
+
+/// Throws Failure for a package that says more than there can be.
+[[noreturn]] void refuseRepetitions(const ZipArchive& archive);
+
 /// Returns the path of the first model part of a 3MF package.
 std::string firstPartOf(const ZipArchive& archive);
 

@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <initializer_list>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -35,6 +37,34 @@ constexpr double bytesPerByte = 64;
 
 /// How many triangles a build may have.
 constexpr double mostTriangles = 1 << 28;
+
+/// The memory that a triangle and an object take here and in the program, in bytes.
+constexpr double bytesOfTriangle = 150, bytesOfObject = 18000;
+
+/// How many bytes of a file take as much memory and time to read as an object.
+constexpr double fileBytesOfObject = 48;
+
+/// Returns the memory that programs may still take, in bytes; infinity where the system does not
+/// report it.
+double availableBytes()
+{
+  std::ifstream facts("/proc/meminfo");
+  for (std::string word; facts >> word;)
+  {
+    double kibibytes = 0;
+    if (word == "MemAvailable:" && facts >> kibibytes)
+    {
+      return 1024 * kibibytes;
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// What a build or an object is made of, repetitions included.
+struct Size
+{
+  double triangles = 0, objects = 0;
+};
 
 /// Returns some triangles of a mesh by their numbers, with their points.
 MeshBlock partOf(const MeshBlock& mesh, const std::vector<std::size_t>& chosen)
@@ -132,7 +162,8 @@ class Build
 {
 public:
   explicit Build(const std::string& fileName)
-    : archive_(fileName)
+    : fileName_(fileName)
+    , archive_(fileName)
     , first_(firstPartOf(archive_))
   {
     try
@@ -148,19 +179,23 @@ public:
 
   double unpackedBytes() const { return archive_.unpackedBytes(bytesPerByte); }
 
-  /// Reads all model parts, and returns the number of triangles in the build.
-  double triangles()
+  /// Reads all model parts, and returns what the build is made of. Refuses what is too much.
+  Size size()
   {
-    double count = 0;
+    Size all;
     for (const ThreeMfPlace& item : this->items())
     {
-      count += this->trianglesAt(item, first_, 0);
+      this->addSize(item, first_, 0, all);
     }
-    if (count > mostTriangles)
+    if (all.triangles > mostTriangles || all.objects > mostObjects)
     {
-      archive_.refuse("its build has too many triangles, for it repeats objects very often");
+      refuseRepetitions(archive_);
     }
-    return count;
+    if (bytesOfTriangle * all.triangles + bytesOfObject * all.objects > availableBytes())
+    {
+      throw Failure(EXIT_NO_MEMORY, fileName_, "does not fit into memory; use a smaller one");
+    }
+    return all;
   }
 
   void addTo(vtkMultiBlockDataSet* output)
@@ -257,14 +292,20 @@ private:
     return found->second;
   }
 
-  /// Counts the triangles of an object that a model part places, each object once.
-  double trianglesAt(const ThreeMfPlace& place, const std::string& placedBy, int depth)
+  /// Adds the size of an object that a model part places. Each object is counted once.
+  void addSize(const ThreeMfPlace& place, const std::string& placedBy, int depth, Size& to)
   {
     const std::string part = place.part.empty() ? placedBy : place.part;
-    const auto [count, isNew] = counts_.try_emplace({part, place.id}, -1);
-    if (!isNew && count->second >= 0)
+    const auto [count, isNew] = sizes_.try_emplace({part, place.id}, Size{-1, 0});
+    const auto addFound = [&to, &found = count->second]
     {
-      return count->second;
+      to.triangles += found.triangles;
+      to.objects += found.objects;
+    };
+    if (!isNew && count->second.triangles >= 0)
+    {
+      addFound();
+      return;
     }
     if (!isNew || depth > deepest)
     {
@@ -273,12 +314,13 @@ private:
                         : "its object " + place.id + " is a component of itself; it is damaged");
     }
     const ThreeMfObject& object = this->objectAt(place, part);
-    auto sum = static_cast<double>(object.mesh.triangles.size());
+    Size sum{static_cast<double>(object.mesh.triangles.size()), 1};
     for (const ThreeMfPlace& component : object.components)
     {
-      sum += this->trianglesAt(component, part, depth + 1);
+      this->addSize(component, part, depth + 1, sum);
     }
-    return count->second = sum;
+    count->second = sum;
+    addFound();
   }
 
   /// A slicer's notes on an object. Objects of other model parts have none.
@@ -383,11 +425,12 @@ private:
 
   using ObjectKey = std::pair<std::string, std::string>; ///< a model part, and an id in it
 
+  std::string fileName_;
   ZipArchive archive_;
   std::string first_;                                 ///< the path of the first model part
   std::map<std::string, SlicerObject> slicerObjects_; ///< of the first model part, by id
   std::map<std::string, ThreeMfModel> models_;        ///< by the paths of parts
-  std::map<ObjectKey, double> counts_;                ///< of triangles; -1 while they are counted
+  std::map<ObjectKey, Size> sizes_;                   ///< -1 triangles while they are counted
   std::set<ObjectKey> used_;
   vtkMultiBlockDataSet* output_ = nullptr;
   std::vector<std::string> notes_;
@@ -407,7 +450,8 @@ int ThreeMfReader::RequestData(
   Build build(fileName_);
   double bytes = build.unpackedBytes();
   this->InvokeEvent(moreBytesEvent, &bytes);
-  bytes += build.triangles(); // each takes as much to read as a byte of a file
+  const Size size = build.size();
+  bytes += size.triangles + fileBytesOfObject * size.objects; // a triangle is as much as a byte
   this->InvokeEvent(moreBytesEvent, &bytes);
   build.addTo(vtkMultiBlockDataSet::GetData(outputs, 0));
   for (std::string& note : build.notes())
