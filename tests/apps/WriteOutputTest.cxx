@@ -166,8 +166,14 @@ TEST_F(WriteOutput, CloudWithoutNormalsNamesTheCommandThatMakesThem)
 
 TEST_F(WriteOutput, StandardOutputThatCannotBeWrittenIsAnError)
 {
-  const Outcome run = runProgram({"check", in, "--json"}, "full() { \"$@\" >/dev/full; }; full ");
-  EXPECT_EQ(run.status, 2) << run;
+  using Words = std::vector<std::string>;
+  for (const Words& words :
+    {Words{"check", in, "--json"}, {"--help"}, {"--version"}, {"field", "--help"}})
+  {
+    const Outcome run = runProgram(words, "full() { \"$@\" >/dev/full; }; full ");
+    EXPECT_EQ(run.status, 2) << run;
+    EXPECT_TRUE(run.saysInOneLine({"standard output cannot be written to"})) << run;
+  }
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "options/OptionGroups.h"
 #include "program/Failure.h"
 #include "program/ParallelRun.h"
+#include "program/Print.h"
 
 #include "vtkPointAreas.h"
 #include "vtkWindingNumberBoolean.h"
@@ -365,6 +366,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv)
     if (parallel::isFirst())
     {
       app.exit(wish); // prints the help or the version
+      requirePrinted();
     }
     return {};
   }

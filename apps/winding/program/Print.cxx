@@ -7,13 +7,19 @@
 #include <iostream>
 #include <sstream>
 
-void print(const std::string& text)
+void requirePrinted()
 {
-  std::cout << text << std::endl;
+  std::cout.flush();
   if (!std::cout)
   {
     throw Failure(EXIT_REFUSED, "standard output cannot be written to; is the disk full?");
   }
+}
+
+void print(const std::string& text)
+{
+  std::cout << text << '\n';
+  requirePrinted();
 }
 
 void print(const Json& object)

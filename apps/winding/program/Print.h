@@ -14,5 +14,8 @@ using Json = nlohmann::ordered_json;
 void print(const std::string& text);
 void print(const Json& object);
 
+/// Throws Failure where standard output has not taken all that went there.
+void requirePrinted();
+
 /// Returns a number as people read it, with `digits` significant digits at most.
 std::string shown(double value, int digits = 6);
