@@ -7,9 +7,13 @@
 
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <sys/stat.h>
 
 // Files with parts: indices of VTK's XML files, and glTF, whose nodes place meshes.
 
@@ -106,16 +110,21 @@ std::string gltfOf(const std::string& uri)
          uri + "}]}";
 }
 
-std::string binaryGltf()
+/// The same in binary, with the buffer behind it unless `uri` says where that is.
+std::string binaryGltf(const std::string& uri = "")
 {
-  std::string words = gltfOf(""), buffer = cubeBuffer();
+  std::string words = gltfOf(uri), buffer = uri.empty() ? cubeBuffer() : "";
   words.resize((words.size() + 3) / 4 * 4, ' ');
   const auto size = [](std::size_t bytes)
   {
     return bytesOf<std::uint32_t>({static_cast<std::uint32_t>(bytes)});
   };
-  return "glTF" + size(2) + size(28 + words.size() + buffer.size()) + size(words.size()) + "JSON" +
-         words + size(buffer.size()) + std::string("BIN\0", 4) + buffer;
+  if (!buffer.empty())
+  {
+    buffer = size(buffer.size()) + std::string("BIN\0", 4) + buffer;
+  }
+  return "glTF" + size(2) + size(20 + words.size() + buffer.size()) + size(words.size()) + "JSON" +
+         words + buffer;
 }
 
 TEST_F(PieceFiles, AreOneSurface)
@@ -300,6 +309,117 @@ TEST_F(PieceFiles, ThatAreNotThereAreNamed)
   this->expectRefused("a.vtm", "its part gone.vtp is not there");
   this->expectRefused("a.pvtp", "its part gone.vtp is not there");
   this->expectRefused("a.gltf", "gone.bin");
+}
+
+TEST_F(PieceFiles, AreFoundByTheSyntaxOfTheirIndex)
+{
+  folder.write("a.vtp", asVtp(sphere(2)));
+  for (const char* const part : {R"(<DataSet file='a.vtp'/>)",
+         "<DataSet\tindex='0'\n file = \"a.vtp\"/>", R"(<DataSet file="&#97;.vtp"/>)",
+         R"(<!-- <DataSet file="gone.vtp"/> --><DataSet file="a.vtp"/>)",
+         R"(<DataSet name=' file="gone.vtp"' file="&#x61;&#46;vtp"/>)"})
+  {
+    folder.write("a.vtm", xmlFile("vtkMultiBlockDataSet", part));
+    EXPECT_EQ(this->check("a.vtm")["closed"], true) << part;
+    std::string piece = part;
+    for (const auto& [block, name] : {std::pair("DataSet", "Piece"), {"file", "Source"}})
+    {
+      for (std::size_t at = 0; (at = piece.find(block, at)) != std::string::npos;)
+      {
+        piece.replace(at, std::strlen(block), name);
+      }
+    }
+    folder.write("a.pvtp",
+      xmlFile("PPolyData",
+        R"(<PPoints><PDataArray type="Float64" NumberOfComponents="3"/></PPoints>)" + piece));
+    EXPECT_EQ(this->check("a.pvtp")["closed"], true) << piece;
+  }
+  folder.write("gone.vtm", xmlFile("vtkMultiBlockDataSet", "<DataSet file='g&#111;ne.vtp'/>"));
+  this->expectRefused("gone.vtm", "its part gone.vtp is not there");
+  folder.write("cube.bin", cubeBuffer());
+  folder.write("a b.bin", cubeBuffer());
+  for (const char* const uri :
+    {R"("cube.bin")", R"("\u0063ube.bin")", R"("c%75be.bin")", R"("a%20b.bin")"})
+  {
+    folder.write("a.gltf", gltfOf(std::string(R"(, "uri" : )") + uri));
+    folder.write("a.glb", binaryGltf(std::string(R"(,"uri":)") + uri));
+    EXPECT_NEAR(this->check("a.gltf")["volume"], 7, 1e-12) << uri;
+    EXPECT_NEAR(this->check("a.glb")["volume"], 7, 1e-12) << uri;
+  }
+}
+
+TEST_F(PieceFiles, ThatArePipesAreNotWaitedFor)
+{
+  ASSERT_EQ(mkfifo(folder.path("fifo").c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo(folder.path("fifo.vtp").c_str(), 0600), 0);
+  for (const char* const name :
+    {R"(file="fifo.vtp")", "file='fifo.vtp'", "\tfile = \"fifo&#46;vtp\""})
+  {
+    folder.write("a.vtm", xmlFile("vtkMultiBlockDataSet", "<DataSet " + std::string(name) + "/>"));
+    folder.write("a.pvtp",
+      xmlFile("PPolyData",
+        "<Piece Source" + std::string(name).substr(std::string(name).find_first_of(" =")) + "/>"));
+    folder.write("a.gltf", gltfOf(R"(,"uri":"f\u0069fo")"));
+    folder.write("a.glb", binaryGltf(R"(,"uri":"f%69fo")"));
+    for (const char* const file : {"a.vtm", "a.pvtp", "a.gltf", "a.glb"})
+    {
+      const Outcome run = runProgram({"check", folder.path(file)}, "timeout 30 ");
+      EXPECT_EQ(run.status, 2) << file << run;
+      EXPECT_TRUE(run.saysInOneLine({"its part fifo", "is a pipe, a device or a socket"})) << run;
+    }
+  }
+  // One in the working directory is no part of a file elsewhere.
+  std::filesystem::create_directory(folder.path("other"));
+  folder.write("other/a.gltf", gltfOf(R"(,"uri":"fifo")"));
+  const Outcome elsewhere = runProgram(
+    {"check", folder.path("other/a.gltf")}, "cd '" + folder.path("") + "' && timeout 30 ");
+  EXPECT_EQ(elsewhere.status, 2) << elsewhere;
+}
+
+TEST_F(PieceFiles, AreKeptUnlessTheUserOverwrites)
+{
+  this->writeHalves(".vtp");
+  folder.write("cube.stl", cubeBuffer());
+  folder.write("a.vtm", blocks("a.vtp", "b &amp; c.vtp"));
+  folder.write("a.pvtp", pieces("PPolyData", "a.vtp", "b &amp; c.vtp"));
+  folder.write("outer.vtm", xmlFile("vtkMultiBlockDataSet", "<DataSet file='a.pvtp'/>"));
+  folder.write("a.gltf", gltfOf(R"(,"uri":"cube.stl")"));
+  folder.write("a.glb", binaryGltf(R"(,"uri":"cube.stl")"));
+  const std::string header =
+    "NDims = 3\nDimSize = 4 4 4\nElementType = MET_UCHAR\nElementDataFile = ";
+  folder.write("one.mhd", header + "a.vtp\n");
+  folder.write("list.mhd", header + "LIST\ncube.stl\na.vtp\n");
+  folder.write("a.nhdr", "NRRD0004\ndimension: 3\nsizes: 4 4 4\ntype: uchar\nencoding: raw\n"
+                         "data file: a.vtp\n");
+  std::filesystem::create_symlink(folder.path("a.vtp"), folder.path("link.vtp"));
+  const std::string mesh = folder.write("mesh.off", asFile(sphere(2), "off"));
+  using Words = std::vector<std::string>;
+  for (const auto& [arguments, part] :
+    {std::pair<Words, std::string>{{"surface", "a.vtm"}, "a.vtp"},
+      {{"surface", "a.vtm"}, "link.vtp"}, {{"surface", "a.pvtp"}, "b & c.vtp"},
+      {{"surface", "a.gltf"}, "cube.stl"}, {{"surface", "a.glb"}, "cube.stl"},
+      {{"normals", "outer.vtm"}, "a.vtp"}, {{"probe", "mesh.off", "a.pvtp"}, "a.vtp"},
+      {{"surface", "mesh.off", "--like", "one.mhd"}, "a.vtp"},
+      {{"surface", "mesh.off", "--like", "list.mhd"}, "cube.stl"},
+      {{"surface", "mesh.off", "--like", "a.nhdr"}, "a.vtp"}})
+  {
+    const std::string before = contentsOf(folder.path(part));
+    Words words = arguments;
+    for (std::size_t i = 1; i < words.size(); ++i)
+    {
+      words[i] = words[i][0] == '-' ? words[i] : folder.path(words[i]);
+    }
+    words.insert(words.end(), {"-o", folder.path(part)});
+    const Outcome run = runProgram(words);
+    EXPECT_EQ(run.status, 2) << run;
+    EXPECT_TRUE(run.saysInOneLine({"is the input", "or say --overwrite"})) << run;
+    EXPECT_EQ(contentsOf(folder.path(part)), before) << part;
+  }
+  const std::string part = contentsOf(folder.path("a.vtp"));
+  const Outcome run = runProgram({"surface", folder.path("a.vtm"), "--resolution", "8", "-o",
+    folder.path("a.vtp"), "--overwrite", "--quiet"});
+  EXPECT_EQ(run.status, 0) << run;
+  EXPECT_NE(contentsOf(folder.path("a.vtp")), part);
 }
 
 TEST_F(PieceFiles, ThatAreDamagedOrOfNewerFormatsAreRefused)

@@ -4,6 +4,7 @@
 
 #include "files/Formats.h"
 #include "files/Text.h"
+#include "input/PieceFiles.h"
 #include "input/ReadInput.h"
 #include "options/Options.h"
 #include "output/OutputFile.h"
@@ -94,6 +95,13 @@ std::vector<std::string> filesToKeep(const Options& options)
     if (!file.empty())
     {
       files.push_back(file);
+    }
+  }
+  for (const std::string& file : std::vector<std::string>(files))
+  {
+    for (const Piece& piece : piecesOf(file))
+    {
+      files.push_back(piece.file);
     }
   }
   return files;

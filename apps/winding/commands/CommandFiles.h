@@ -18,7 +18,8 @@ class vtkDataObject;
 VTK_ABI_NAMESPACE_END
 struct Options;
 
-/// Returns the files that no output may replace: those that are read, or none with --overwrite.
+/// Returns the files that no output may replace: all that are read, with their parts, or none with
+/// --overwrite.
 std::vector<std::string> filesToKeep(const Options& options);
 
 /// Reads the image that the result is to lie on, on the first rank, for all of them. Returns an

@@ -19,6 +19,8 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <system_error>
+#include <type_traits>
 #include <utility>
 
 namespace
@@ -79,6 +81,46 @@ std::string withPlainUris(const std::string& text)
   return result + text.substr(std::min(done, text.size()));
 }
 
+/// Whether callbacks have one for sizes of files, which newer versions of the library ask for.
+template <class Callbacks, class = void> struct HasSizes : std::false_type
+{
+};
+template <class Callbacks>
+struct HasSizes<Callbacks, std::void_t<decltype(Callbacks::GetFileSizeInBytes)>> : std::true_type
+{
+};
+
+/// Returns callbacks that find regular files in `folder` only. The library looks into the working
+/// directory, too, and would wait for a pipe.
+template <class Callbacks = tinygltf::FsCallbacks> Callbacks filesIn(std::string& folder)
+{
+  Callbacks callbacks = {};
+  callbacks.FileExists = [](const std::string& name, void* in)
+  {
+    std::error_code error;
+    return startsWith(name, *static_cast<std::string*>(in)) &&
+           std::filesystem::is_regular_file(name, error);
+  };
+  callbacks.ExpandFilePath = [](const std::string& name, void*)
+  {
+    return name;
+  };
+  callbacks.ReadWholeFile = tinygltf::ReadWholeFile;
+  callbacks.WriteWholeFile = tinygltf::WriteWholeFile;
+  if constexpr (HasSizes<Callbacks>::value)
+  {
+    callbacks.GetFileSizeInBytes =
+      [](std::size_t* size, std::string*, const std::string& name, void*)
+    {
+      std::error_code error;
+      *size = std::filesystem::file_size(name, error);
+      return !error;
+    };
+  }
+  callbacks.user_data = &folder;
+  return callbacks;
+}
+
 } // namespace
 
 GltfDocument::GltfDocument(std::string fileName)
@@ -88,13 +130,13 @@ GltfDocument::GltfDocument(std::string fileName)
   loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
                           const unsigned char*, int, void*) { return true; },
     nullptr);
-  std::string error, warning;
+  std::string error, warning, folder = std::filesystem::path(fileName_).parent_path().string();
+  loader.SetFsCallbacks(filesIn(folder));
   const bool isBinary = beginningOf(fileName_, 4) == "glTF";
   const std::string text = isBinary ? "" : withPlainUris(contentsOf(fileName_));
   const bool isRead = isBinary ? loader.LoadBinaryFromFile(&model_, &error, &warning, fileName_)
                                : loader.LoadASCIIFromString(&model_, &error, &warning, text.data(),
-                                   static_cast<unsigned int>(text.size()),
-                                   std::filesystem::path(fileName_).parent_path().string());
+                                   static_cast<unsigned int>(text.size()), folder);
   if (!isRead)
   {
     const std::string line = error.substr(0, error.find('\n'));

@@ -144,3 +144,31 @@ PlacedImage readImageHeader(const std::string& fileName)
   }
   return placedImage(head, suffix, fileName);
 }
+
+std::vector<std::string> voxelFilesOf(const std::string& fileName)
+{
+  std::vector<std::string> names;
+  try
+  {
+    const std::string head = beginningOf(fileName, mostBytes);
+    std::size_t start = 0;
+    const bool isNrrd = startsWith(head, "NRRD");
+    const HeaderFields fields = isNrrd ? nrrdFields(head, start) : metaFields(head, start);
+    const std::string* const name = findAny(fields, {"ElementDataFile", "datafile"});
+    if (name && startsWith(*name, "LIST"))
+    {
+      while (start < head.size())
+      {
+        names.emplace_back(takeHeaderLine(head, start));
+      }
+    }
+    else if (name && inSmallLetters(*name) != "local")
+    {
+      names.push_back(*name);
+    }
+  }
+  catch (const std::runtime_error&) // whoever reads the header refuses it
+  {
+  }
+  return names;
+}

@@ -5,6 +5,7 @@
 #include "files/ImageSpace.h"
 
 #include <string>
+#include <vector>
 
 /**
  * Reads where the voxels of a medical image lie, .mha .mhd .nrrd .nhdr .nii .nii.gz, from its
@@ -22,3 +23,7 @@ PlacedImage readImageHeader(const std::string& fileName);
 /// The same for the first bytes of a file, unpacked, of that suffix. Failures name `fileName`.
 PlacedImage placedImage(
   const std::string& head, const std::string& suffix, const std::string& fileName);
+
+/// Returns the names of the files with the voxels of an image, .mha .mhd .nrrd .nhdr, as its header
+/// has them; nothing where they lie behind it, or where it cannot be read.
+std::vector<std::string> voxelFilesOf(const std::string& fileName);

@@ -3,18 +3,12 @@
 #include "input/MetaHeader.h"
 
 #include "files/Text.h"
-#include "input/HeaderFields.h"
 
 #include <algorithm>
 
-namespace
-{
-
-/// Reads the fields of a MetaImage, up to ElementDataFile. Its values stand behind = or a colon.
-HeaderFields metaFields(const std::string& head)
+HeaderFields metaFields(const std::string& head, std::size_t& start)
 {
   HeaderFields fields;
-  std::size_t start = 0;
   while (fields.count("ElementDataFile") == 0)
   {
     const std::string_view line = takeHeaderLine(head, start);
@@ -26,11 +20,10 @@ HeaderFields metaFields(const std::string& head)
   return fields;
 }
 
-} // namespace
-
 ImagePlace metaImage(const std::string& head)
 {
-  const HeaderFields fields = metaFields(head);
+  std::size_t start = 0;
+  const HeaderFields fields = metaFields(head, start);
   const std::size_t axes = axesOf(fields, "NDims"), ofSpace = std::min<std::size_t>(axes, 3);
   const auto read = [&](const std::vector<const char*>& keys, std::size_t count)
   {

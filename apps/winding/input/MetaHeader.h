@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "input/HeaderFields.h"
 #include "input/ImagePlace.h"
 
 #include <string>
@@ -9,3 +10,7 @@
 /// Reads the header of a MetaImage (.mha, .mhd), whose lengths are mm and whose space is LPS, as in
 /// ITK. Throws HeaderFault.
 ImagePlace metaImage(const std::string& head);
+
+/// Reads the fields of a MetaImage from `start` on, up to ElementDataFile, and moves `start` behind
+/// it. Values stand behind = or a colon.
+HeaderFields metaFields(const std::string& head, std::size_t& start);

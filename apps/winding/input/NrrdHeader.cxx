@@ -3,7 +3,6 @@
 #include "input/NrrdHeader.h"
 
 #include "files/Text.h"
-#include "input/HeaderFields.h"
 
 #include <algorithm>
 #include <iterator>
@@ -50,30 +49,6 @@ void addNrrdField(std::string_view line, HeaderFields& fields)
   {
     throw HeaderFault("its header has '" + name + "' twice");
   }
-}
-
-/// Reads the fields of a NRRD by nrrdName(), up to an empty line. A header that names files with
-/// the data may end without one, or with a list of them.
-HeaderFields nrrdFields(const std::string& head)
-{
-  HeaderFields fields;
-  std::size_t start = 0;
-  takeHeaderLine(head, start); // the format's name
-  const auto hasEnded = [&]
-  {
-    const std::string* const data = findAny(fields, {"datafile"});
-    return data && (start >= head.size() || data->rfind("LIST", 0) == 0);
-  };
-  while (!hasEnded())
-  {
-    const std::string_view line = takeHeaderLine(head, start);
-    if (line.empty())
-    {
-      break;
-    }
-    addNrrdField(line, fields);
-  }
-  return fields;
 }
 
 /// Returns how many numbers the vectors of a NRRD have; 0 where it does not say.
@@ -297,13 +272,35 @@ void addAxes(const HeaderFields& fields, const std::vector<double>& sizes, Image
 
 } // namespace
 
+HeaderFields nrrdFields(const std::string& head, std::size_t& start)
+{
+  HeaderFields fields;
+  takeHeaderLine(head, start); // the format's name
+  const auto hasEnded = [&]
+  {
+    const std::string* const data = findAny(fields, {"datafile"});
+    return data && (start >= head.size() || data->rfind("LIST", 0) == 0);
+  };
+  while (!hasEnded())
+  {
+    const std::string_view line = takeHeaderLine(head, start);
+    if (line.empty())
+    {
+      break;
+    }
+    addNrrdField(line, fields);
+  }
+  return fields;
+}
+
 ImagePlace nrrdImage(const std::string& head)
 {
   if (head.rfind("NRRD000", 0) != 0)
   {
     throw HeaderFault("it does not begin like NRRD");
   }
-  const HeaderFields fields = nrrdFields(head);
+  std::size_t start = 0;
+  const HeaderFields fields = nrrdFields(head, start);
   const std::string* const sizes = findAny(fields, {"sizes"});
   if (!sizes)
   {

@@ -4,103 +4,181 @@
 
 #include "files/Formats.h"
 #include "files/Text.h"
+#include "input/ImageHeader.h"
 #include "program/Failure.h"
 
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkXMLParser.h"
+
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
-#include <iterator>
+#include <fstream>
+#include <set>
 #include <string_view>
-#include <utility>
 
 namespace
 {
 
-/// An index is no longer than this number of bytes; what lies behind is not looked at.
-constexpr std::size_t longestIndex = std::size_t(1) << 24;
+using Names = std::vector<std::string>;
 
-/// The text before the name of a part in an index of this suffix; empty for files that are none.
-std::string_view beforeName(const std::string& suffix)
+/// Collects the names of files in an index of VTK's XML formats.
+class IndexParser : public vtkXMLParser
 {
-  const std::pair<std::string_view, std::string_view> marks[] = {
-    {".vtm", " file=\""}, {".pvtp", " Source=\""}, {".pvtu", " Source=\""}, {".gltf", "\"uri\""}};
-  const auto* const mark = std::find_if(std::begin(marks), std::end(marks),
-    [&suffix](const auto& pair) { return pair.first == suffix; });
-  return mark == std::end(marks) ? std::string_view() : mark->second;
-}
+public:
+  static IndexParser* New();
+  vtkTypeMacro(IndexParser, vtkXMLParser);
 
-/// Replaces the entities of XML in a name.
-std::string withoutEntities(std::string name)
-{
-  const std::pair<std::string_view, const char*> entities[] = {
-    {"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&apos;", "'"}, {"&amp;", "&"}};
-  for (const auto& [entity, letter] : entities)
+  Names names;
+
+protected:
+  void StartElement(const char* element, const char** attributes) override
   {
-    for (std::size_t at = 0; (at = name.find(entity, at)) != std::string::npos; ++at)
+    const std::string_view kind = element;
+    const std::string_view wanted = kind == "DataSet" ? "file" : kind == "Piece" ? "Source" : "";
+    for (; *attributes; attributes += 2)
     {
-      name.replace(at, entity.size(), letter);
+      if (wanted == attributes[0])
+      {
+        names.emplace_back(attributes[1]);
+      }
     }
   }
-  return name;
+  void EndElement(const char*) override {}
+  void ReportXmlParseError() override {} // the reader reports it
+};
+
+vtkStandardNewMacro(IndexParser);
+
+Names namesInIndex(const std::string& fileName)
+{
+  std::ifstream file(fileName, std::ios::binary);
+  vtkNew<IndexParser> parser;
+  parser->SetStream(&file);
+  parser->Parse();
+  return parser->names;
 }
 
-/// The names between quotation marks behind each of the marks in a text.
-std::vector<std::string> namesIn(std::string_view text, std::string_view mark)
+/// Moves `file` to the JSON of glTF, which a header precedes in binary files. Returns the number of
+/// its bytes.
+std::size_t findJson(std::ifstream& file, std::size_t size)
 {
-  std::vector<std::string> names;
-  const bool isJson = mark.back() == '"' && mark.front() == '"';
-  for (std::size_t at = 0; (at = text.find(mark, at)) != std::string_view::npos;)
+  char header[20] = {};
+  file.read(header, sizeof header);
+  if (std::string_view(header, 4) == "glTF")
   {
-    at += mark.size();
-    const std::size_t first = isJson ? text.find('"', at) + 1 : at;
-    const std::size_t last = first == 0 ? std::string_view::npos : text.find('"', first);
-    if (last == std::string_view::npos)
-    {
-      break;
-    }
-    const std::string name(text.substr(first, last - first));
-    if (!isJson || name.rfind("data:", 0) != 0)
-    {
-      names.push_back(isJson ? withoutPercentCodes(name) : withoutEntities(name));
-    }
-    at = last;
+    std::uint32_t length = 0;
+    std::memcpy(&length, header + 12, sizeof length);
+    return std::min<std::size_t>(length, size - std::min(size, sizeof header));
   }
+  file.clear();
+  file.seekg(0);
+  return size;
+}
+
+/// Returns the names of external files in glTF. tinygltf reads a plus sign as a blank.
+Names namesInGltf(const std::string& fileName)
+{
+  using Json = nlohmann::json;
+  std::ifstream file(fileName, std::ios::binary);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(fileName, error);
+  std::string text(error ? 0 : findJson(file, size), '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  Names names;
+  std::string table, key; // the last names of values in the file and in the table's objects
+  const auto take = [&](int depth, Json::parse_event_t event, Json& parsed)
+  {
+    if (event == Json::parse_event_t::key && (depth == 1 || depth == 3))
+    {
+      (depth == 1 ? table : key) = parsed.get<std::string>();
+    }
+    const bool isValue = event == Json::parse_event_t::value;
+    if (isValue && depth == 3 && key == "uri" && (table == "buffers" || table == "images") &&
+        parsed.is_string())
+    {
+      std::string name = parsed.get<std::string>();
+      std::replace(name.begin(), name.end(), '+', ' ');
+      if (!startsWith(name, "data:"))
+      {
+        names.push_back(withoutPercentCodes(name));
+      }
+    }
+    return !isValue; // nothing else is kept
+  };
+  Json::parse(text, take, false);
   return names;
 }
 
-void addPieces(const std::string& fileName, std::vector<std::string>& pieces)
+Names namesIn(const std::string& fileName)
 {
+  std::error_code error;
   const std::string suffix = suffixOf(fileName);
-  const std::string_view mark = beforeName(suffix);
-  if (mark.empty())
+  const auto isOneOf = [&suffix](std::string_view suffixes)
   {
-    return;
-  }
-  for (const std::string& name : namesIn(beginningOf(fileName, longestIndex), mark))
+    return !suffix.empty() && suffixes.find(suffix + ' ') != std::string_view::npos;
+  };
+  if (!std::filesystem::is_regular_file(fileName, error))
   {
-    const std::string piece = (std::filesystem::path(fileName).parent_path() / name).string();
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(piece, error))
-    {
-      if (suffix == ".gltf")
-      {
-        continue; // pictures are not needed, and the reader misses what is
-      }
-      throw Failure(
-        EXIT_REFUSED, fileName, "its part " + name + " is not there; put all of its files there");
-    }
-    if (std::find(pieces.begin(), pieces.end(), piece) == pieces.end())
-    {
-      pieces.push_back(piece);
-      addPieces(piece, pieces);
-    }
+    return {};
   }
+  if (isOneOf(".vtm .vtmb .vtpc .vtpd .vthb .pvd .pvtp .pvtu .pvti .pvtr .pvts .pvtt "))
+  {
+    return namesInIndex(fileName);
+  }
+  if (isOneOf(".gltf .glb "))
+  {
+    return namesInGltf(fileName);
+  }
+  return isOneOf(".mha .mhd .nrrd .nhdr ") ? voxelFilesOf(fileName) : Names();
 }
 
 } // namespace
 
-std::vector<std::string> pieceFilesOf(const std::string& fileName)
+std::vector<Piece> piecesOf(const std::string& fileName)
 {
-  std::vector<std::string> pieces;
-  addPieces(fileName, pieces);
+  std::vector<Piece> pieces;
+  std::set<std::string> known = {fileName};
+  const auto add = [&](const std::string& index)
+  {
+    const VtkFormat* const format = vtkFormatOf(suffixOf(index));
+    const bool isRequired = format && suffixOf(index) != ".gltf" && suffixOf(index) != ".glb";
+    for (const std::string& name : namesIn(index))
+    {
+      const std::string piece = (std::filesystem::path(index).parent_path() / name).string();
+      if (known.insert(piece).second)
+      {
+        pieces.push_back({piece, isRequired});
+      }
+    }
+  };
+  add(fileName);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    add(std::string(pieces[i].file));
+  }
   return pieces;
+}
+
+void checkPieces(const std::string& fileName, const std::vector<Piece>& pieces)
+{
+  for (const Piece& piece : pieces)
+  {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(piece.file, error);
+    const bool isThere = std::filesystem::exists(status);
+    if (!isThere ? piece.isRequired : std::filesystem::is_other(status))
+    {
+      const std::filesystem::path folder = std::filesystem::path(fileName).parent_path();
+      const std::string name = std::filesystem::path(piece.file).lexically_proximate(folder);
+      throw Failure(EXIT_REFUSED, fileName,
+        "its part " + name + " is " +
+          (isThere ? "a pipe, a device or a socket; give a regular file"
+                   : "not there; put all of its files there"));
+    }
+  }
 }

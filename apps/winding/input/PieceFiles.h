@@ -5,9 +5,21 @@
 #include <string>
 #include <vector>
 
+/// A file that another one names as its part.
+struct Piece
+{
+  std::string file;
+  bool isRequired; ///< whether VTK's readers need it, though they pass over some in silence
+};
+
 /**
- * Returns the files that an index names as its parts (.vtm .pvtp .pvtu .gltf), and their own, where
- * these are indices; none for other files. Throws Failure for a part of VTK's formats that is not
- * there: VTK's readers pass over some of them in silence.
+ * Returns the files that `fileName` names, and the files that these name: blocks and pieces of
+ * VTK's indices, buffers and images of glTF, voxels of .mhd and .nhdr. Each is there once, whether
+ * it exists or not. Files that cannot be read or parsed name nothing here: their readers refuse
+ * them.
  */
-std::vector<std::string> pieceFilesOf(const std::string& fileName);
+std::vector<Piece> piecesOf(const std::string& fileName);
+
+/// Throws Failure where one of `pieces` of `fileName` is required and not there, or is a pipe, which
+/// would be waited for.
+void checkPieces(const std::string& fileName, const std::vector<Piece>& pieces);

@@ -7,7 +7,6 @@
 #include "input/DataStream.h"
 #include "input/Leaves.h"
 #include "input/LegacyVtkCounts.h"
-#include "input/PieceFiles.h"
 #include "program/Failure.h"
 
 #include "vtkAlgorithm.h"
@@ -30,7 +29,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <new>
@@ -340,23 +338,10 @@ Failure outOfMemory(const std::string& fileName, std::uintmax_t fileSize)
                  : Failure(EXIT_NO_MEMORY, fileName, "does not fit into memory; use a smaller one");
 }
 
-/// The size of a file in bytes; 0 where there is none.
-std::uintmax_t sizeOf(const std::string& fileName)
-{
-  std::error_code error;
-  const std::uintmax_t found = std::filesystem::file_size(fileName, error);
-  return error ? 0 : found;
-}
-
 /// Reads with all exceptions as Failure.
 vtkSmartPointer<vtkDataObject> readOrFail(
-  const std::string& fileName, const VtkFormat& format, PipeSink& sink)
+  const std::string& fileName, const VtkFormat& format, std::uintmax_t size, PipeSink& sink)
 {
-  std::uintmax_t size = sizeOf(fileName);
-  for (const std::string& piece : pieceFilesOf(fileName))
-  {
-    size += sizeOf(piece);
-  }
   try
   {
     limitToReading(size);
@@ -375,7 +360,8 @@ vtkSmartPointer<vtkDataObject> readOrFail(
 
 } // namespace
 
-void readAndSend(const std::string& fileName, const VtkFormat& format, int pipe)
+void readAndSend(
+  const std::string& fileName, const VtkFormat& format, std::uintmax_t size, int pipe)
 {
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
@@ -388,7 +374,7 @@ void readAndSend(const std::string& fileName, const VtkFormat& format, int pipe)
     vtkNew<ReportWindow> window;
     window->setSink(sink);
     vtkOutputWindow::SetInstance(window);
-    const auto data = readOrFail(fileName, format, sink);
+    const auto data = readOrFail(fileName, format, size, sink);
     sink.put(ReaderMessage::data);
     sendData(data, sink);
   }

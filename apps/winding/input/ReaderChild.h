@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 struct VtkFormat;
@@ -17,7 +18,8 @@ enum class ReaderMessage : char
   data      ///< the data (DataStream.h)
 };
 
-/// Does the work of a process that was made to read a file: reads within limits, sends messages
-/// into a pipe, and ends the process. The process's standard output and error are closed, for VTK
+/// Does the work of a process that was made to read a file: reads within the limits of `size` bytes,
+/// which are the file's and those of its parts, sends messages into a pipe, and ends the process. The process's standard output and error are closed, for VTK
 /// and the C library print there, too.
-[[noreturn]] void readAndSend(const std::string& fileName, const VtkFormat& format, int pipe);
+[[noreturn]] void readAndSend(
+  const std::string& fileName, const VtkFormat& format, std::uintmax_t size, int pipe);

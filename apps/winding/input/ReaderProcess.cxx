@@ -22,8 +22,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <new>
 #include <utility>
 #include <vector>
@@ -72,7 +74,7 @@ void dependOn(pid_t parent, int pipe)
 class ReaderProcess : public ByteSource
 {
 public:
-  ReaderProcess(const std::string& fileName, const VtkFormat& format)
+  ReaderProcess(const std::string& fileName, const VtkFormat& format, std::uintmax_t size)
   {
     int ends[2];
     if (pipe(ends) != 0)
@@ -89,7 +91,7 @@ public:
     {
       dependOn(parent, ends[1]);
       sigprocmask(SIG_SETMASK, &before, nullptr);
-      readAndSend(fileName, format, ends[1]);
+      readAndSend(fileName, format, size, ends[1]);
     }
     const int error = errno;
     sigprocmask(SIG_SETMASK, &before, nullptr);
@@ -208,16 +210,12 @@ std::string newerFormatOf(const std::string& fileName)
            : "";
 }
 
-/// The version of the file, or of the first of its parts, that is newer than what VTK reads; else
-/// empty.
-std::string newerFormat(const std::string& fileName)
+/// Returns the size of a file in bytes; 0 where there is none.
+std::uintmax_t sizeOf(const std::string& fileName)
 {
-  std::string newer = newerFormatOf(fileName);
-  for (const std::string& piece : pieceFilesOf(fileName))
-  {
-    newer = newer.empty() ? newerFormatOf(piece) : newer;
-  }
-  return newer;
+  std::error_code error;
+  const std::uintmax_t found = std::filesystem::file_size(fileName, error);
+  return error ? 0 : found;
 }
 
 /// Throws Failure for what cannot be read of a newer format, unless a condition holds.
@@ -305,8 +303,17 @@ vtkSmartPointer<vtkDataObject> receive(
 vtkSmartPointer<vtkDataObject> readInProcess(
   const std::string& fileName, const VtkFormat& format, Messages& messages)
 {
-  const std::string newer = newerFormat(fileName);
-  ReaderProcess process(fileName, format);
+  const std::vector<Piece> pieces = piecesOf(fileName);
+  checkPieces(fileName, pieces);
+  // The version of the file, or of the first of its parts, that is newer than what VTK reads.
+  std::string newer = newerFormatOf(fileName);
+  std::uintmax_t size = sizeOf(fileName);
+  for (const Piece& piece : pieces)
+  {
+    newer = newer.empty() && piece.isRequired ? newerFormatOf(piece.file) : newer;
+    size += sizeOf(piece.file);
+  }
+  ReaderProcess process(fileName, format, size);
   try
   {
     return receive(process, fileName, newer, messages);
