@@ -63,13 +63,9 @@ std::string beginningOf(const std::string& fileName, std::size_t bytes)
 
 std::string_view takeLine(std::string_view text, std::size_t& start)
 {
-  const std::size_t end = std::min(text.find('\n', start), text.size());
-  std::string_view line = text.substr(start, end - start);
-  start = end + 1;
-  if (!line.empty() && line.back() == '\r')
-  {
-    line.remove_suffix(1);
-  }
+  const std::size_t end = std::min(text.find_first_of("\r\n", start), text.size());
+  const std::string_view line = text.substr(start, end - start);
+  start = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
   return line;
 }
 

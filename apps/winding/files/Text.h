@@ -17,7 +17,8 @@ std::string contentsOf(const std::string& fileName);
 /// Returns the first bytes of a file, all where it has fewer. Throws Failure as contentsOf() does.
 std::string beginningOf(const std::string& fileName, std::size_t bytes);
 
-/// Returns the next line from `start` on, without its end; moves `start` behind it.
+/// Returns the next line from `start` on, without its end, which is LF, CR or both; moves `start`
+/// behind it.
 std::string_view takeLine(std::string_view text, std::size_t& start);
 
 /// Returns the next word, ended by white space, and takes it off the text; empty when there is none
