@@ -154,9 +154,54 @@ class InterruptTest(unittest.TestCase):
         self.assertEqual(words[-2:], ["KeyboardInterrupt", "True"])
 
     def test_handlers_of_others_are_asked(self):
-        words, _ = self.interrupted(
-            "def before(*_): print('asked')\nsignal.signal(signal.SIGINT, before)")
+        words, seconds = self.interrupted(
+            "def before(*_): print('asked'); raise KeyboardInterrupt\n"
+            "signal.signal(signal.SIGINT, before)")
         self.assertEqual(words, ["asked", "KeyboardInterrupt", "True"])
+        self.assertLess(seconds, 15)
+
+    def test_handlers_that_return_let_the_work_go_on(self):
+        field, asked = vtkwinding.Field(*sphere(60)[:2]), []
+
+        def work(show):
+            field._on_grid(field._grid(resolution=100), {"winding": np.dtype("f4")},
+                           fields.Sides(0.5, "signed", None, 0), show=show)
+
+        def interrupts(_share):
+            if not asked:
+                signal.raise_signal(signal.SIGINT)
+
+        def interrupts_within(_share):
+            vtkwinding.winding_number(CORNERS, CORNERS, CUBE)  # has a handler, too
+            interrupts(None)
+
+        before = signal.getsignal(signal.SIGINT)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        for show in (interrupts, interrupts_within):
+            signal.signal(signal.SIGINT, lambda *arguments: asked.append(arguments))
+            asked.clear()
+            work(show)
+            self.assertEqual(len(asked), 1)
+
+            def fails(*arguments):
+                asked.append(arguments)
+                raise ZeroDivisionError("in the handler")
+
+            signal.signal(signal.SIGINT, fails)
+            asked.clear()
+            self.assertRaisesRegex(ZeroDivisionError, "in the handler", work, show)
+            self.assertIs(signal.getsignal(signal.SIGINT), fails)
+
+    def test_work_within_work_is_ended_too(self):
+        def fails(*_):
+            raise ZeroDivisionError("in the handler")
+
+        before = signal.signal(signal.SIGINT, fails)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        with self.assertRaises(ZeroDivisionError), _library.Interrupt() as outer:
+            with self.assertRaises(ZeroDivisionError), _library.Interrupt():
+                signal.raise_signal(signal.SIGINT)
+            self.assertTrue(outer.is_set())
 
     def test_the_main_thread_is_free_meanwhile(self):
         words, seconds = self.interrupted(
