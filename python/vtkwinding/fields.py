@@ -13,7 +13,9 @@ Refused input is a WindingError, wrong arguments are a TypeError or a ValueError
 from __future__ import annotations
 
 import ctypes
+import os
 import threading
+import weakref
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -99,6 +101,20 @@ def find_places(points, polygons, samples, options, *, with_weights=True, thread
             ctypes.c_void_p(array.ctypes.data if len(array) else None) for array in found),
         _library.RUN, threads=threads, show=show)
     return found
+
+
+_fields: weakref.WeakSet[Field] = weakref.WeakSet()
+
+
+def _renew_locks():
+    """Gives all fields new locks: in a child of fork() nobody gives back what another thread of its
+    parent held."""
+    for field in _fields:
+        field._lock = threading.RLock()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_renew_locks)
 
 
 class Field:
@@ -236,8 +252,13 @@ class Field:
         self._threshold, self._rule = threshold, rule
         self._n_threads, self._longest = n_threads, longest_expected_time
         self._sides()  # checks them
+        self._begin()
+
+    def _begin(self):
+        """Begins without a field of the library."""
         self._handles: dict[bool, _library.Handle] = {}
         self._lock = threading.RLock()  # what shows a warning may ask the field
+        _fields.add(self)
 
     @staticmethod
     def _kept(array):
@@ -249,7 +270,8 @@ class Field:
                 if name not in ("_handles", "_lock")}
 
     def __setstate__(self, state):
-        self.__dict__.update(state, _handles={}, _lock=threading.RLock())
+        self.__dict__.update(state)
+        self._begin()
 
     def _sides(self, threshold=None, rule=None):
         return Sides(self._threshold if threshold is None else threshold,

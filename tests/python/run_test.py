@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How functions run: errors, warnings, Ctrl-C and threads."""
 
+import copy
 import os
 import pathlib
 import signal
@@ -244,10 +245,36 @@ class ForkTest(unittest.TestCase):
         """Threads that the parent has started do not live on in a child."""
         vertices, faces, _ = sphere(60)
         expected = vtkwinding.field(vertices, faces[:-5], resolution=20).values
+        self.check_child(lambda: np.array_equal(
+            vtkwinding.field(vertices, faces[:-5], resolution=20).values, expected))
+
+    def test_children_may_ask_what_a_thread_of_their_parent_builds(self):
+        vertices, faces, _ = sphere(200)
+        field = vtkwinding.Field(vertices, faces, method="hierarchical")
+        copied = copy.copy(field)
+        for asked in (field, copied):
+            builds, goes_on = threading.Event(), threading.Event()
+
+            def hold(asked=asked, builds=builds, goes_on=goes_on):
+                with asked._lock:
+                    builds.set()
+                    goes_on.wait()
+
+            thread = threading.Thread(target=hold)
+            thread.start()
+            builds.wait()
+            try:
+                self.check_child(lambda asked=asked: asked.contains([[0, 0, 0]])[0])
+            finally:
+                goes_on.set()
+                thread.join()
+            self.assertTrue(asked.contains([[0, 0, 0]])[0])
+
+    def check_child(self, holds):
+        """Fails unless `holds()` is true in a child of fork(), within a minute."""
         child = os.fork()
         if child == 0:
-            found = vtkwinding.field(vertices, faces[:-5], resolution=20).values
-            os._exit(0 if np.array_equal(found, expected) else 3)
+            os._exit(0 if holds() else 3)
         end, status = time.time() + 60, None
         while status is None and time.time() < end:
             done, code = os.waitpid(child, os.WNOHANG)
