@@ -405,8 +405,15 @@ class Field:
                 raise TypeError(f"{name} must be integers in one dimension")
         if kinds.size and (kinds.min() < 0 or kinds.max() > 255):
             raise ValueError("types must be 0 to 255")
-        return self._fractions(places, kinds.astype(np.uint8), ids.astype(np.int64),
-                               starts.astype(np.int64), self._sides())
+        starts = starts.astype(np.int64)
+        if kinds.size and len(starts) != len(kinds) + 1:
+            raise ValueError(
+                f"offsets must have the shape ({len(kinds) + 1},), not {starts.shape}: it has one "
+                "more than types")
+        if kinds.size and (starts[0] < 0 or starts[-1] > len(ids) or (np.diff(starts) < 0).any()):
+            raise ValueError(f"offsets must ascend from 0 to {len(ids)}, the length of corners")
+        return self._fractions(places, kinds.astype(np.uint8), ids.astype(np.int64), starts,
+                               self._sides())
 
     def _grid(self, reach=0, **wishes):
         """Returns the grid of the library for wishes, over the source and its reach."""

@@ -250,12 +250,15 @@ class FunctionsTest(unittest.TestCase):
         for kind in (-1, 256, 300):
             with self.assertRaisesRegex(ValueError, "types must be 0 to 255"):
                 field.fractions(places, [kind], [0, 1, 2, 3], [0, 4])
+        for offsets in ([], [0], [0, 4, 4], [-1, 4], [0, 5], [4, 0], np.array([4, 0], "u8")):
+            with self.subTest(offsets=offsets), self.assertRaisesRegex(ValueError, "^offsets must"):
+                field.fractions(places, [10], [0, 1, 2, 3], offsets)
+        with self.assertRaisesRegex(ValueError, "^offsets must ascend"):
+            field.fractions(places, [10, 10], [0, 1, 2, 3] * 2, [0, 6, 4])
         with self.assertRaisesRegex(vtkwinding.WindingError, "cell 0 has type 255, which has no"):
             field.fractions(places, [255], [0, 1, 2, 3], [0, 4])
         with self.assertWarnsRegex(vtkwinding.WindingWarning, "1 of 1 cells are empty"):
             self.assertTrue(np.isnan(field.fractions(places, [0], [], [0, 0])[0]))
-        with self.assertRaises(vtkwinding.WindingError):
-            field.fractions(places, [10], [0, 1, 2, 3], [0, 5])
 
     def test_booleans(self):
         cubes = [Field(CORNERS, CUBE), Field(CORNERS + [0.5, 0.25, 0.25], CUBE)]
