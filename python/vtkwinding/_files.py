@@ -67,8 +67,7 @@ def unpacked(name):
     with tempfile.TemporaryDirectory() as folder:
         copy = os.path.join(os.fsencode(folder), os.path.basename(name)[:-3])
         try:
-            with gzip.open(name) as packed, open(copy, "wb") as file:
-                shutil.copyfileobj(packed, file)
+            _unpack(name, copy)
         except (OSError, EOFError, zlib.error) as error:
             raise WindingError(f"{os.fsdecode(name)}: cannot be unpacked: {error}") from error
         try:
@@ -76,6 +75,24 @@ def unpacked(name):
         except WindingError as error:
             text = str(error).replace(os.fsdecode(copy), os.fsdecode(name))
             raise type(error)(text) from None
+
+
+def _unpack(name, copy):
+    """Unpacks a file as far as the disk has room for it, by the size that its last bytes promise
+    and then by what comes."""
+    most_per_byte, at_once = 1032, 1 << 20
+    with open(name, "rb") as raw, gzip.open(raw) as packed, open(copy, "wb") as file:
+        size = raw.seek(0, os.SEEK_END)
+        raw.seek(max(size - 4, 0))
+        expected = min(int.from_bytes(raw.read(4), "little"), most_per_byte * size)
+        raw.seek(0)
+        while block := packed.read(at_once):
+            expected = max(expected, file.tell() + len(block))
+            if expected - file.tell() > shutil.disk_usage(os.path.dirname(copy)).free:
+                raise WindingError(
+                    f"{os.fsdecode(name)}: not enough room on the disk: unpack it elsewhere; it "
+                    f"takes more than {expected >> 20} MiB")
+            file.write(block)
 
 
 def _read(name, chosen):

@@ -5,6 +5,7 @@
 import copy
 import gzip
 import inspect
+import os
 import pathlib
 import pickle
 import re
@@ -16,6 +17,7 @@ import threading
 import typing
 import unittest
 import warnings
+from unittest import mock
 
 import numpy as np
 
@@ -359,12 +361,24 @@ class FunctionsTest(unittest.TestCase):
             self.assertEqual(table.vertices.tolist(), [[3, 2, 1], [6, 5, 4]])
             with self.assertRaisesRegex(vtkwinding.WindingError, "no column Height for z"):
                 vtkwinding.read(path, columns={"x": 1, "y": 2, "z": "Height"})
+            def small_disk(path):
+                files = pathlib.Path(os.fsdecode(path)).iterdir()
+                taken = sum(file.stat().st_size for file in files)
+                return mock.Mock(free=(1 << 22) - taken)
+
             path = pathlib.Path(folder, "points.xyz.gz")
             path.write_bytes(gzip.compress(b"0 0 0 0 0 1\n1 0 0 0 0 1\n"))
             np.testing.assert_array_equal(vtkwinding.read(path).vertices, cloud.vertices)
             for content in (b"0 0 0", gzip.compress(b"0 0 0")[:-3], gzip.compress(b"0 0 x")):
                 path.write_bytes(content)
                 with self.assertRaisesRegex(vtkwinding.WindingError, f"^{re.escape(str(path))}: "):
+                    vtkwinding.read(path)
+            for content in (gzip.compress(bytes(1 << 23)), gzip.compress(bytes(1 << 23)) * 2,
+                            gzip.compress(bytes(1 << 23)) + gzip.compress(b"0")):
+                path.write_bytes(content)
+                with mock.patch("shutil.disk_usage", small_disk), \
+                        self.assertRaisesRegex(vtkwinding.WindingError,
+                                               f"^{re.escape(str(path))}: not enough room on the "):
                     vtkwinding.read(path)
             path = pathlib.Path(folder, "nan.obj")
             path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\nf 1 2 4\n")
