@@ -96,8 +96,9 @@ class Source:
             for name in ("normals", "areas"))
 
     def copied(self):
-        """Returns the same with copies of all arrays."""
+        """Returns the same with copies of all arrays, and without leaves, which hold data sets."""
         made = copy.copy(self)
+        made.leaves = []
         for name in ("points", "corners", "offsets", "normals", "areas"):
             array = getattr(self, name)
             setattr(made, name, None if array is None else array.copy())
@@ -439,6 +440,10 @@ class SourceField(Field):
     def with_own_arrays(self):
         """Returns the field of copies of the arrays, so that it stays when they are changed."""
         return SourceField(self.source.copied(), **self.options)
+
+    def share(self, other):
+        """Takes over what the library has built, and builds, for a field of equal arrays."""
+        self._handles, self._lock = other._handles, other._lock
 
     def framed(self, frame):
         """Returns the field of the source in the coordinates of an image (a Frame of _parts)."""

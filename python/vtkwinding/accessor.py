@@ -51,10 +51,16 @@ _SOURCE_DEFAULTS = {"surface_cells": False, "normals_array": None, "areas_array"
 _ALL_DEFAULTS = {**DEFAULTS, **_SOURCE_DEFAULTS}
 # Fields that are kept: a mesh that nobody has any more would hold its own until Python looks for
 # cycles, for PyVista ties a mesh and its accessor to each other.
-_recent: collections.deque[SourceField] = collections.deque(maxlen=4)
+_recent: collections.deque[tuple[weakref.ref[Any], SourceField]] = collections.deque(maxlen=4)
 _MOST_LABELS = 65535
 _OF_SIDES = ("threshold", "rule", "n_threads", "longest_expected_time")
 _with_options = spelled_out(SourceOptions, _ALL_DEFAULTS)
+
+
+def _forget(mesh):
+    """Lets go of the fields of a mesh that is gone."""
+    for entry in [entry for entry in _recent if entry[0] is mesh]:
+        _recent.remove(entry)
 
 
 def _check_source(name, mesh):
@@ -166,13 +172,13 @@ class WindingAccessor:
         sides = fields.Sides(*(given.pop(option) for option in _OF_SIDES))
         made = SourceField(source, **given)
         kept = self._kept()
-        if kept is not None and kept.options == made.options and all(
+        if kept is None or kept.options != made.options or not all(
                 _same(getattr(kept.source, array), getattr(source, array))
                 for array in ("points", "corners", "offsets", "normals", "areas")):
-            return kept, sides
-        made = made.with_own_arrays()
-        _recent.append(made)
-        self._kept = weakref.ref(made)
+            kept = made.with_own_arrays()
+            _recent.append((weakref.ref(self._mesh, _forget), kept))
+            self._kept = weakref.ref(kept)
+        made.share(kept)
         return made, sides
 
     @staticmethod

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """mesh.winding: what PyVista's own methods give, for meshes that those refuse, too."""
 
+import gc
 import inspect
 import io
 import pathlib
@@ -12,6 +13,7 @@ import tempfile
 import typing
 import unittest
 import warnings
+import weakref
 from unittest import mock
 
 import numpy as np
@@ -56,6 +58,15 @@ class AccessorTest(Warned):
         code = "import pyvista; print(pyvista.Sphere().winding.report()['closed'])"
         found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
         self.assertEqual((found.stdout.strip(), found.returncode), ("1", 0), found.stderr)
+
+    def test_fields_end_with_their_meshes(self):
+        mesh = ball()
+        mesh.winding.field(resolution=8)
+        field = weakref.ref(mesh.winding._kept())
+        self.assertIsNotNone(field())
+        del mesh
+        gc.collect()
+        self.assertIsNone(field())
 
     def test_surfaces_take_over_colours_and_ids_of_cells(self):
         mesh = ball(40)
