@@ -30,7 +30,7 @@ std::string read(const std::string& fileName, std::size_t most)
   if (!std::filesystem::is_regular_file(fileName, error))
   {
     // Opening a pipe would wait until somebody writes into it.
-    throw Failure(EXIT_REFUSED, fileName, "is a pipe, a device or a socket; give a regular file");
+    throw Failure(EXIT_REFUSED, fileName, specialFile);
   }
   std::ifstream file(fileName, std::ios::binary);
   if (!file)

@@ -10,6 +10,9 @@
  * Files as text: how they are read and taken apart, and how numbers are written.
  */
 
+/// The fault of a name that leads to no regular file.
+constexpr const char* specialFile = "is a pipe, a device or a socket; give a regular file";
+
 /// Returns the whole of a file as text. Throws Failure when it is missing, unreadable, empty or no
 /// regular file; it never waits for a pipe.
 std::string contentsOf(const std::string& fileName);

@@ -176,9 +176,8 @@ void checkPieces(const std::string& fileName, const std::vector<Piece>& pieces)
       const std::filesystem::path folder = std::filesystem::path(fileName).parent_path();
       const std::string name = std::filesystem::path(piece.file).lexically_proximate(folder);
       throw Failure(EXIT_REFUSED, fileName,
-        "its part " + name + " is " +
-          (isThere ? "a pipe, a device or a socket; give a regular file"
-                   : "not there; put all of its files there"));
+        "its part " + name + ' ' +
+          (isThere ? specialFile : "is not there; put all of its files there"));
     }
   }
 }
