@@ -11,6 +11,7 @@
 #include <cctype>
 #include <filesystem>
 #include <random>
+#include <regex>
 #include <tuple>
 
 #include <sys/stat.h>
@@ -126,13 +127,15 @@ TEST(ReadInput, LineEnds)
       const nlohmann::json report = run.json();
       return report[report["kind"] == "surface" ? "triangles" : "points"];
     };
-    std::string dos;
-    for (const char c : text)
-    {
-      dos += c == '\n' ? std::string("\r\n") : std::string(1, c);
-    }
     EXPECT_EQ(countsOf(text.substr(0, text.size() - 1)), countsOf(text)) << name;
-    EXPECT_EQ(countsOf(dos), countsOf(text)) << name;
+    for (const std::string end : {"\r\n", "\r"})
+    {
+      const std::string other = std::regex_replace(text, std::regex("\n"), end);
+      if (end == "\r\n" || (name != "a.vtk" && name != "a.vtp"))
+      {
+        EXPECT_EQ(countsOf(other), countsOf(text)) << name;
+      }
+    }
   }
 }
 
