@@ -88,7 +88,7 @@ extern "C"
   typedef struct winding_run
   {
     uint32_t size;             /**< bytes of the struct that its caller knows */
-    int32_t number_of_threads; /**< most threads to use, 0 for one for each core. Default: 0 */
+    int32_t number_of_threads; /**< most threads; 0 or less: one for each core. Default: 0 */
     int32_t words;             /**< a winding_words. Default: WINDING_WORDS_C */
     /**
    * Is called with the share of the work that is done, 0 to 1, on the thread that called. It
@@ -104,8 +104,8 @@ extern "C"
     void* user;      /**< is given to both. Default: null */
     double interval; /**< least seconds from one call of progress to the next. Default: 0.05 */
     /**
-   * Evaluations that are expected to take more seconds are refused in their first seconds; 0 for
-   * none. Default: 0
+   * Evaluations that are expected to take more seconds are refused in their first seconds; 0 or
+   * less for none. Default: 0
    */
     double longest_expected_time;
   } winding_run;
@@ -132,7 +132,7 @@ extern "C"
   /** Rows of numbers that are read. All members 0 make an array that is not there. */
   typedef struct winding_array
   {
-    const void* data; /**< the first number */
+    const void* data; /**< the first number, at an address that its type may have */
     int64_t rows;     /**< 0 or more */
     int64_t stride;   /**< numbers from the start of one row to the next, 0 for no gaps */
     int32_t type;     /**< a winding_type: floating-point for coordinates, integer for ids */
