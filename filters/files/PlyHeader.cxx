@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "files/PlyHeader.h"
 
+#include "base/Digits.h"
 #include "files/ColumnNames.h"
 #include "files/Words.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iterator>
 #include <numeric>
 #include <set>
@@ -296,14 +296,6 @@ private:
   bool isComplete_ = false;
 };
 
-/// A number that may be any, as files of floating-point ids and lengths have them.
-std::string inDigits(double number)
-{
-  char digits[40];
-  std::snprintf(digits, sizeof digits, "%.15g", number);
-  return digits;
-}
-
 } // namespace
 
 const PlyProperty* PlyElement::find(const std::string& property) const
@@ -438,7 +430,7 @@ void refusePly(const InputFile& file, const std::string& message)
 
 std::string badPlyLength(double length)
 {
-  return "a list of " + inDigits(length) + " numbers; it is damaged";
+  return "a list of " + inDigits(length, 15) + " numbers; it is damaged";
 }
 
 bool isPlyCorner(double id, std::int64_t vertices, PlyRole role)
@@ -449,7 +441,7 @@ bool isPlyCorner(double id, std::int64_t vertices, PlyRole role)
 
 std::string badPlyCorner(double id, std::int64_t vertices)
 {
-  return "vertex " + inDigits(id) + " does not exist; there are " + std::to_string(vertices) +
+  return "vertex " + inDigits(id, 15) + " does not exist; there are " + std::to_string(vertices) +
          ", counted from 0";
 }
 

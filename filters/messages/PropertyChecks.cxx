@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "messages/PropertyChecks.h"
 
+#include "base/Digits.h"
 #include "base/Refusal.h"
 #include "messages/Options.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 
 namespace winding
@@ -18,10 +18,8 @@ namespace
 
 [[noreturn]] void refuse(Parameter property, double value, const std::string& range)
 {
-  std::ostringstream fault;
-  fault.precision(10); // enough for every int
-  fault << "is " << value << range;
-  throw Refusal(Message(property, fault.str()));
+  constexpr int digitsOfInt = 10;
+  throw Refusal(Message(property, "is " + inDigits(value, digitsOfInt) + range));
 }
 
 /// Returns the name of a choice: the entry of ParaView's panel there, else its constant in C++.
@@ -48,17 +46,8 @@ std::string rangeOf(const Option& option, double value)
   {
     return "a finite number";
   }
-  std::ostringstream range;
-  range << (std::isfinite(value) ? "" : "a finite number, ") << option.lowest;
-  if (std::isfinite(option.highest))
-  {
-    range << " to " << option.highest;
-  }
-  else
-  {
-    range << " or more";
-  }
-  return range.str();
+  return joined(std::isfinite(value) ? "" : "a finite number, ", option.lowest,
+    std::isfinite(option.highest) ? joined(" to ", option.highest) : " or more");
 }
 
 } // namespace

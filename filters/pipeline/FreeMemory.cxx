@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/FreeMemory.h"
 
+#include "base/Digits.h"
 #include "pipeline/HostShare.h"
 
 #include <vtksys/SystemInformation.hxx>
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 namespace winding
@@ -27,10 +27,7 @@ std::string memoryInWords(double bytes)
 {
   constexpr double mebi = 1024.0 * 1024.0;
   const bool isLarge = bytes >= 1000 * mebi;
-  char text[64];
-  std::snprintf(
-    text, sizeof text, "%.3g %s", bytes / (isLarge ? 1024 * mebi : mebi), isLarge ? "GiB" : "MiB");
-  return text;
+  return inDigits(bytes / (isLarge ? 1024 * mebi : mebi), 3) + (isLarge ? " GiB" : " MiB");
 }
 
 HostMemory hostMemory()

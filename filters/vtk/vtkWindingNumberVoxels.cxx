@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWindingNumberVoxels.h"
 
+#include "base/Digits.h"
 #include "base/InsideRule.h"
 #include "base/Refusal.h"
 #include "messages/Options.h"
@@ -94,7 +95,8 @@ struct ReadLabels
           winding::Message("'" + winding::textOf(values->GetName()) + "' is no array of labels",
             {{"choose another array", {winding::Parameter::voxelArray}},
               {"", {{winding::Parameter::byLabel, 0}}}},
-            "labels are integers from 0 to 65535, and it has the value " + std::to_string(number)));
+            "labels are integers from 0 to 65535, and it has the value " +
+              winding::inDigits(number)));
       }
       labels.push_back(static_cast<unsigned short>(number));
     }

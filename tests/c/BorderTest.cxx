@@ -13,6 +13,7 @@
 #include <limits>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <thread>
 
 namespace
@@ -267,7 +268,10 @@ TEST(Border, NamesOptionsAsMessagesDo)
   const auto options = with(winding_options_init);
   const auto defaultOf = [](Parameter parameter)
   {
-    return std::stod(winding::optionOf(parameter)->standard);
+    double value = 0;
+    std::istringstream standard(winding::optionOf(parameter)->standard); // no locale counts
+    standard >> value;
+    return value;
   };
   EXPECT_EQ(options.method, defaultOf(Parameter::method));
   EXPECT_EQ(options.tolerance, defaultOf(Parameter::tolerance));

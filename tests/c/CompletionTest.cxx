@@ -149,12 +149,13 @@ TEST(Completion, DividesByASheet)
 
 TEST(Completion, HasTextsAboutSpaceInAnyCoordinates)
 {
-  // The points are given in coordinates that are turned by 90 degrees around z, from (5, 0, 0) on.
-  const double frame[12] = {0, 1, 0, -1, 0, 0, 0, 0, 1, 5, 0, 0};
+  // The points are given in coordinates that are turned by 90 degrees around z, from (5.5, 0, 0)
+  // on.
+  const double frame[12] = {0, 1, 0, -1, 0, 0, 0, 0, 1, 5.5, 0, 0};
   const shapes::Mesh box = shapes::openCube();
   const shapes::Mesh turned = box.mapped(
     [](const shapes::Point& p) -> shapes::Point {
-      return {p[1], 5 - p[0], p[2]};
+      return {p[1], 5.5 - p[0], p[2]};
     });
   auto options = with(winding_options_init);
   options.mirror = "x=0";

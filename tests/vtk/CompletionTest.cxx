@@ -84,6 +84,32 @@ const double volumeOfDome = M_PI * (2.0 / 3 + 0.5 - std::pow(0.5, 3) / 3);
 
 } // namespace
 
+TEST(Completion, HasTextsAboutSpaceOnATurnedImage)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 2);
+  image->SetOrigin(-0.3, 0.6, -0.65); // on either side of mirror and base
+  image->SetSpacing(1, 1, 0.2);
+  image->SetDirectionMatrix(0, 1, 0, -1, 0, 0, 0, 0, 1);
+  vtkNew<vtkWindingNumberField> field;
+  const ErrorLog log(field);
+  field->SetInputData(halfDome());
+  field->SetLikeData(image);
+  complete(field);
+  field->Update();
+  EXPECT_EQ(log.errors(), "");
+  ASSERT_EQ(field->GetOutput()->GetNumberOfPoints(), 8);
+  for (vtkIdType i = 0; i < 8; ++i)
+  {
+    double at[3];
+    field->GetOutput()->GetPoint(i, at);
+    const bool isInside = std::hypot(at[0], at[1], at[2]) < 1 && at[2] > -0.5;
+    EXPECT_NEAR(
+      field->GetOutput()->GetPointData()->GetScalars()->GetComponent(i, 0), isInside, 1e-6)
+      << at[0] << ' ' << at[1] << ' ' << at[2];
+  }
+}
+
 TEST(Completion, MakesTheWholeOfHalfADome)
 {
   vtkNew<vtkWindingNumberField> field;

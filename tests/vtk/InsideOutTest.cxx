@@ -19,9 +19,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <cstring>
 #include <functional>
+#include <regex>
+#include <sstream>
 #include <string>
 
 /**
@@ -148,12 +148,12 @@ TEST_F(InsideOut, PartsAreToldWithTheirShare)
       // A ball of 8 by 8 triangles fills about 15 % of a box of 7.7 by 2.7 by 2.7.
       EXPECT_NE(log.warnings().find(advice), std::string::npos) << log.warnings();
       double negative = 0, positive = 0;
-      const char* shares = std::strstr(log.warnings().c_str(), "w is -0.5");
-      ASSERT_NE(shares, nullptr);
-      EXPECT_EQ(
-        std::sscanf(shares, "w is -0.5 or less at %lf %% of the samples, and 0.5 or more at %lf %%",
-          &negative, &positive),
-        2);
+      std::smatch shares;
+      ASSERT_TRUE(std::regex_search(log.warnings(), shares,
+        std::regex(
+          R"(w is -0\.5 or less at (\S+) % of the samples, and 0\.5 or more at (\S+) %)")));
+      std::istringstream(shares.str(1)) >> negative; // in any locale
+      std::istringstream(shares.str(2)) >> positive;
       EXPECT_NEAR(negative, positive, 1);
       EXPECT_GT(negative, 2);
       EXPECT_LT(negative, 12);

@@ -158,7 +158,8 @@ Value otherValue(const std::string& property)
   {
     return Value(7);
   }
-  const double standard = std::stod(option.standard);
+  double standard = 0;
+  std::istringstream(option.standard) >> standard; // in any locale
   const bool isWhole = option.kind != "number";
   for (const double step : {isWhole ? 1 : 0.125, -1.0})
   {

@@ -5,6 +5,7 @@
 #include "files/Text.h"
 #include "output/OutputFile.h"
 #include "program/Interrupt.h"
+#include "program/Print.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -19,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -272,9 +272,7 @@ std::vector<std::string> sharesOfBytes()
   std::vector<std::string> shares;
   for (int byte = 0; byte < bytes; ++byte)
   {
-    char text[16];
-    std::snprintf(text, sizeof text, " %.4g", byte / (bytes - 1.0));
-    shares.emplace_back(text);
+    shares.push_back(' ' + shown(byte / (bytes - 1.0), 4));
   }
   return shares;
 }

@@ -4,8 +4,8 @@
 
 #include "program/Failure.h"
 
+#include <charconv>
 #include <iostream>
-#include <sstream>
 
 void requirePrinted()
 {
@@ -30,8 +30,7 @@ void print(const Json& object)
 
 std::string shown(double value, int digits)
 {
-  std::ostringstream text;
-  text.precision(digits);
-  text << value;
-  return text.str();
+  char text[64];
+  return {
+    text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr};
 }

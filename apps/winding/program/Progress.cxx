@@ -8,6 +8,7 @@
 #include "vtkCommand.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 
@@ -132,7 +133,8 @@ void Progress::draw()
   const double seconds = std::chrono::duration<double>(drawn_ - bar.start).count();
   if (seconds >= 2)
   {
-    std::fprintf(stderr, "  %.0f s", seconds); // which goes on where the bar stands still
+    std::fprintf(
+      stderr, "  %ld s", std::lround(seconds)); // which goes on where the bar stands still
   }
   bar.stands = true;
 }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/Directions.h"
 
+#include "base/Digits.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <locale>
 #include <sstream>
@@ -68,9 +69,9 @@ std::string trimmed(const std::string& text)
 
 std::string textOf(const Eigen::Vector3d& vector)
 {
-  char text[100];
-  std::snprintf(text, sizeof text, "%.17g %.17g %.17g", vector[0], vector[1], vector[2]);
-  return text;
+  constexpr int exact = 17;
+  return joined(
+    inDigits(vector[0], exact), ' ', inDigits(vector[1], exact), ' ', inDigits(vector[2], exact));
 }
 
 } // namespace winding

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/Digits.h"
 #include "base/Parameter.h"
 
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -78,9 +78,7 @@ struct Message
 /// Returns a share, 0 to 1, as a percentage of two digits.
 inline std::string percentOf(double share)
 {
-  char text[32];
-  std::snprintf(text, sizeof text, share < 0.095 ? "%.2g %%" : "%.0f %%", 100 * share);
-  return text;
+  return (share < 0.095 ? inDigits(100 * share, 2) : inPlaces(100 * share, 0)) + " %";
 }
 
 /// Returns the remedy for voxels that are too many or too small.

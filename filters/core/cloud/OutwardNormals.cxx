@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud/OutwardNormals.h"
 
+#include "base/Digits.h"
 #include "base/Progress.h"
 #include "cloud/AutomaticNormals.h"
 #include "cloud/ConsistentNormals.h"
@@ -10,7 +11,6 @@
 #include "source/UnitScale.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <utility>
@@ -245,10 +245,9 @@ Message keptNormals()
 
 Message adviceOnNormals(const CloudOrientation& orientation)
 {
-  char figures[200];
-  std::snprintf(figures, sizeof figures,
-    "w is about 1 behind and 0 before %.0f %% of the points, with medians of %.2f and %.2f",
-    100 * orientation.outward, orientation.behind, orientation.before);
+  const std::string figures = joined("w is about 1 behind and 0 before ",
+    inPlaces(100 * orientation.outward, 0), " % of the points, with medians of ",
+    inPlaces(orientation.behind, 2), " and ", inPlaces(orientation.before, 2));
   return {"estimated normals are not right everywhere",
     {{"take more points", {}}, {"take normals from where the points come from", {}}}, figures};
 }

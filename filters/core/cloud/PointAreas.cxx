@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud/PointAreas.h"
 
+#include "base/Digits.h"
 #include "base/Pi.h"
 #include "base/Progress.h"
 #include "base/Refusal.h"
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 #include <string>
 
 namespace winding
@@ -357,7 +357,7 @@ void checkPointArea(double pointArea)
   if (!(pointArea >= 0) || !std::isfinite(pointArea))
   {
     throw Refusal(Message(Parameter::pointArea,
-      "is " + std::to_string(pointArea) + "; it must be more than 0, or 0 to have it estimated"));
+      "is " + inDigits(pointArea) + "; it must be more than 0, or 0 to have it estimated"));
   }
 }
 
@@ -387,9 +387,8 @@ std::vector<double> pointAreas(const PointCloud& cloud, const DistinctPoints& pl
   const double largest = largestArea(cloud.bounds);
   if (pointArea > largest)
   {
-    std::ostringstream fault;
-    fault << "is " << pointArea << "; in a cloud of this size it may be up to " << largest;
-    throw Refusal(Message(Parameter::pointArea, fault.str()));
+    throw Refusal(Message(Parameter::pointArea,
+      joined("is ", pointArea, "; in a cloud of this size it may be up to ", largest)));
   }
   const double area =
     pointArea > 0 ? pointArea : meanPointArea(cloud, places, options.neighbors, executor);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/CloudField.h"
 
+#include "base/Digits.h"
 #include "base/Refusal.h"
 #include "cloud/OutwardNormals.h"
 #include "cloud/PointAreas.h"
@@ -166,7 +167,7 @@ void CloudField::regularize(double spacings)
   if (!(spacings >= 0 && spacings <= mostRegularization))
   {
     throw Refusal(Message(Parameter::regularization,
-      "is " + std::to_string(spacings) + " spacings; it must be 0 (none) to 4"));
+      "is " + inDigits(spacings) + " spacings; it must be 0 (none) to 4"));
   }
   if (spacings == 0)
   {

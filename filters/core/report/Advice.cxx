@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/Advice.h"
 
+#include "base/Digits.h"
 #include "base/InsideRule.h"
 #include "cloud/OutwardNormals.h"
 #include "cloud/PointAreas.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace winding
 {
@@ -67,9 +67,7 @@ void addOrientation(Advice& advice, const OrientationCounts& counts, bool isInsi
 /// Returns what to do about a surface that only slits keep from being closed.
 Message slitAdviceOn(const SurfaceReport& report)
 {
-  char width[32];
-  std::snprintf(width, sizeof width, "%.1g", report.widestSlit.value_or(0));
-  Message advice("closed, except for slits of " + std::string(width), {},
+  Message advice("closed, except for slits of " + inDigits(report.widestSlit.value_or(0), 1), {},
     counted(report.edges.boundary, "boundary edge in ", "boundary edges in ") +
       counted(report.edges.boundaryLoops, "loop", "loops") +
       "; winding numbers are between integers only next to these");
@@ -78,10 +76,9 @@ Message slitAdviceOn(const SurfaceReport& report)
     // Rounded up, so that points at exactly that distance are welded, too.
     const double farthest =
       *std::max_element(report.slits.endDistances.begin(), report.slits.endDistances.end());
-    char tolerance[32];
-    std::snprintf(tolerance, sizeof tolerance, "%.2g", 1.1 * farthest);
-    advice.remedies.push_back({"weld points up to " + std::string(tolerance) + " from each other",
-      {Parameter::weldTolerance}});
+    advice.remedies.push_back(
+      {"weld points up to " + inDigits(1.1 * farthest, 2) + " from each other",
+        {Parameter::weldTolerance}});
   }
   else
   {
@@ -184,11 +181,10 @@ Message mainAdviceOn(const CloudReport& report)
   const CloudOrientation orientation = report.orientation.value_or(CloudOrientation());
   if (!orientation.isClear())
   {
-    char medians[80];
-    std::snprintf(medians, sizeof medians, "%.2f and %.2f", orientation.behind, orientation.before);
     return {"the field tells inside from outside at " +
             percentOf(std::max(orientation.outward, orientation.inward)) +
-            " of the points (it is mostly " + medians +
+            " of the points (it is mostly " + inPlaces(orientation.behind, 2) + " and " +
+            inPlaces(orientation.before, 2) +
             " behind and before them): the cloud is open, has parts as thin as its points are far "
             "apart, or its normals contradict each other"};
   }

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/ExpectedTimeAdvice.h"
 
+#include "base/Digits.h"
 #include "base/Refusal.h"
 #include "farfield/FarFieldAccuracy.h"
-
-#include <cstdio>
 
 namespace winding
 {
@@ -14,16 +13,11 @@ namespace
 {
 
 /// Returns a number of two digits, or more before the point, and its unit, which has no s for 1.
-std::string withUnit(double number, std::string unit)
+std::string withUnit(double number, const std::string& unit)
 {
   constexpr double ten = 9.95; // once it is rounded
-  char text[64];
-  std::snprintf(text, sizeof text, number < ten ? "%.2g" : "%.0f", number);
-  if (std::string(text) != "1")
-  {
-    unit += 's';
-  }
-  return std::string(text) + ' ' + unit;
+  const std::string text = number < ten ? inDigits(number, 2) : inPlaces(number, 0);
+  return text + ' ' + unit + (text == "1" ? "" : "s");
 }
 
 /// Returns a time in the unit in which people would say it.
@@ -77,9 +71,8 @@ std::optional<Message> expectedTimeAdvice(const FieldInfo& info, const ExpectedW
       (info.isSurface ? " triangles" : " points") + " by the method " + nameOf(info.method)};
   if (isRefused)
   {
-    char allowed[64];
-    std::snprintf(allowed, sizeof allowed, "allow more than %.4g s", work.limit);
-    advice.remedies.push_back({allowed, {Parameter::longestExpectedTime}});
+    advice.remedies.push_back(
+      {"allow more than " + inDigits(work.limit, 4) + " s", {Parameter::longestExpectedTime}});
     throw Refusal(advice);
   }
   return advice;

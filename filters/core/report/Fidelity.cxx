@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/Fidelity.h"
 
+#include "base/Digits.h"
 #include "base/UnitRandom.h"
 #include "distance/DistanceTree.h"
 #include "distance/SampleDistances.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace winding
 {
@@ -100,27 +100,23 @@ void countComponents(const Surface& source, const DistanceTree& tree, double nea
 
 std::string inWords(const Fidelity& fidelity)
 {
-  std::ostringstream text;
-  text.precision(3);
-  text << "distance from the input max " << fidelity.largestFromSource << ", mean "
-       << fidelity.meanFromSource << "; to the input max " << fidelity.largestToSource << ", mean "
-       << fidelity.meanToSource << "\nvolume " << fidelity.volume << ", of the input ";
-  if (std::isnan(fidelity.sourceVolume))
+  const auto inThree = [](double number)
   {
-    text << "unknown";
-  }
-  else
-  {
-    text << fidelity.sourceVolume;
-  }
-  text << "; " << fidelity.lostComponents << " of " << fidelity.components << " parts lost; "
-       << fidelity.selfIntersections << " self-intersections";
+    return inDigits(number, 3);
+  };
+  std::string text = joined("distance from the input max ", inThree(fidelity.largestFromSource),
+    ", mean ", inThree(fidelity.meanFromSource), "; to the input max ",
+    inThree(fidelity.largestToSource), ", mean ", inThree(fidelity.meanToSource), "\nvolume ",
+    inThree(fidelity.volume), ", of the input ",
+    std::isnan(fidelity.sourceVolume) ? "unknown" : inThree(fidelity.sourceVolume), "; ",
+    fidelity.lostComponents, " of ", fidelity.components, " parts lost; ",
+    fidelity.selfIntersections, " self-intersections");
   if (!std::isnan(fidelity.largestShapeError))
   {
-    text << "\noff the distance that is asked for max " << fidelity.largestShapeError << ", mean "
-         << fidelity.meanShapeError;
+    text += joined("\noff the distance that is asked for max ", inThree(fidelity.largestShapeError),
+      ", mean ", inThree(fidelity.meanShapeError));
   }
-  return text.str();
+  return text;
 }
 
 double bytesForComparison(const Field& field, double triangles, double samples)

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/GridAdvice.h"
+
+#include "base/Digits.h"
 #include "base/Refusal.h"
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,7 @@ std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, const 
   }
   if (thinnest >= 0)
   {
-    char facts[120];
-    std::snprintf(facts, sizeof facts, "it has %.2g of them along %c%s", voxels[thinnest],
+    const std::string facts = joined("it has ", inDigits(voxels[thinnest], 2), " of them along ",
       "xyz"[thinnest], result.isEmpty ? ", and no sample is inside" : "");
     return Message("the source is thinner than three voxels",
       {smallerVoxels(), {"name voxels along each axis", {Parameter::samplingDimensions}}}, facts);
@@ -122,10 +122,9 @@ std::optional<Message> shapeAdvice(
   const double thick = std::sqrt(3.0) * grid.spacing.maxCoeff();
   if (shape.shell > 0 && shape.shell < thick)
   {
-    char facts[80];
-    std::snprintf(facts, sizeof facts, "voxels are %.3g long", grid.spacing.maxCoeff());
     return Message("the shell is thinner than a voxel's diagonal, so it may have holes",
-      {smallerVoxels(), {"choose a thicker shell", {Parameter::shell}}}, facts);
+      {smallerVoxels(), {"choose a thicker shell", {Parameter::shell}}},
+      joined("voxels are ", inDigits(grid.spacing.maxCoeff(), 3), " long"));
   }
   if (isEmpty && shape.shell > 0 && shape.shellSide != ShellSide::centered && shape.offset == 0)
   {

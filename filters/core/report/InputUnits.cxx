@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/InputUnits.h"
 
+#include "base/Digits.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace winding
 {
@@ -141,13 +142,6 @@ bool areNamed(const Suspects& small, const Suspects& large)
                                         : small.inputs.size() <= large.inputs.size();
 }
 
-std::string numberOf(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
 Message adviceOn(const std::vector<std::size_t>& found, const std::string& scale,
   const std::vector<NamedBounds>& inputs, const std::vector<Others>& others)
 {
@@ -164,8 +158,8 @@ Message adviceOn(const std::vector<std::size_t>& found, const std::string& scale
     {{(isOne ? "scale it by " : "scale them by ") + scale, {}}},
     "then the sides of " + std::string(isOne ? "its" : "their") +
       " bounds fit the others; the diagonal of '" + inputs[first].name + "' is " +
-      numberOf(sizeOf(inputs[first].bounds)) + ", and the others' is " +
-      numberOf(sizeOf(others[first].bounds))};
+      inDigits(sizeOf(inputs[first].bounds), 3) + ", and the others' is " +
+      inDigits(sizeOf(others[first].bounds), 3)};
 }
 
 } // namespace

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/Digits.h"
 #include "base/InsideRule.h"
 #include "base/Message.h"
 #include "field/InsideOut.h"
 
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -38,11 +38,9 @@ inline Message insideOutAdvice(const std::string& what, const SideCounts& sides,
   {
     return percentOf(static_cast<double>(count) / static_cast<double>(sides.samples));
   };
-  char limit[32];
-  std::snprintf(limit, sizeof limit, "%.3g", threshold);
-  const std::string shares = std::string("w is -") + limit + " or less at " +
-                             share(sides.negative) + " of the samples, and " + limit +
-                             " or more at " + share(sides.inside);
+  const std::string limit = inDigits(threshold, 3);
+  const std::string shares = "w is -" + limit + " or less at " + share(sides.negative) +
+                             " of the samples, and " + limit + " or more at " + share(sides.inside);
   return {what + " look inward", waysOutOfInward(what), shares};
 }
 

@@ -2,24 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/Grid.h"
 
+#include "base/Digits.h"
 #include "base/Refusal.h"
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace winding
 {
 
 namespace
 {
-
-template <class... Parts> std::string text(const Parts&... parts)
-{
-  std::ostringstream stream;
-  (stream << ... << parts);
-  return stream.str();
-}
 
 void checkBounds(const Bounds& bounds)
 {
@@ -29,7 +22,7 @@ void checkBounds(const Bounds& bounds)
   {
     throw Refusal(Message("the bounds are inverted or not finite",
       {{"give min <= max for each axis", {Parameter::samplingBounds}}},
-      text(
+      joined(
         "they are ", low[0], " ", high[0], " ", low[1], " ", high[1], " ", low[2], " ", high[2])));
   }
 }
@@ -47,7 +40,7 @@ int countVoxels(double length, double voxelSize)
   if (!(count <= mostVoxels))
   {
     throw Refusal(Message("too many voxels", {largerVoxels()},
-      text("a side of ", length, " needs ", count, " voxels of size ", voxelSize, ", more than ",
+      joined("a side of ", length, " needs ", count, " voxels of size ", voxelSize, ", more than ",
         mostVoxels)));
   }
   return static_cast<int>(count);
@@ -59,7 +52,7 @@ void checkSampleCount(const Grid& grid)
   if (samples > 9e18)
   {
     throw Refusal(Message("too many voxels to be counted", {largerVoxels()},
-      text("the grid has ", grid.dimensions[0], " x ", grid.dimensions[1], " x ",
+      joined("the grid has ", grid.dimensions[0], " x ", grid.dimensions[1], " x ",
         grid.dimensions[2])));
   }
 }
@@ -76,7 +69,7 @@ void checkRange(const Grid& grid)
     {
       throw Refusal(
         Message("the voxels are too small", {largerVoxels(), {"scale the source up", {}}},
-          text("they have a side of ", grid.spacing[axis], ", and it must be ", smallestVoxel,
+          joined("they have a side of ", grid.spacing[axis], ", and it must be ", smallestVoxel,
             " at least")));
     }
     for (const double face : {low[axis], low[axis] + sides[axis]})
@@ -84,7 +77,7 @@ void checkRange(const Grid& grid)
       if (!(std::abs(face) <= farthest))
       {
         throw Refusal(Message("the grid reaches too far", {{"scale the source down", {}}},
-          text("it reaches to ", face, ", and it may reach to ", farthest, " at most")));
+          joined("it reaches to ", face, ", and it may reach to ", farthest, " at most")));
       }
     }
   }
@@ -141,7 +134,7 @@ Grid layOutGrid(const GridRequest& request)
   if (!(request.padding >= 0) || !std::isfinite(request.padding))
   {
     throw Refusal(
-      Message(Parameter::padding, text("is ", request.padding, "; it must be 0 or more")));
+      Message(Parameter::padding, joined("is ", request.padding, "; it must be 0 or more")));
   }
   const double longest = request.bounds.sizes().maxCoeff();
   Eigen::Vector3d margin = Eigen::Vector3d::Constant(longest * request.padding);
@@ -160,7 +153,7 @@ Grid layOutGrid(const GridRequest& request)
     if ((request.dimensions.array() < 1).any() || (request.dimensions.array() > mostVoxels).any())
     {
       throw Refusal(Message(Parameter::samplingDimensions,
-        text("is ", request.dimensions[0], " ", request.dimensions[1], " ", request.dimensions[2],
+        joined("is ", request.dimensions[0], " ", request.dimensions[1], " ", request.dimensions[2],
           "; each must be at least 1 and at most ", mostVoxels)));
     }
     if (!((request.isCubic ? longest : sides.minCoeff()) > 0))
@@ -168,7 +161,7 @@ Grid layOutGrid(const GridRequest& request)
       throw Refusal(Message("the bounds are too flat for given dimensions",
         {{"give larger ones", {Parameter::samplingBounds}},
           {"give a padding", {Parameter::padding}}},
-        text("they have sides ", sides[0], " ", sides[1], " ", sides[2],
+        joined("they have sides ", sides[0], " ", sides[1], " ", sides[2],
           ", and each must be more than 0")));
     }
     grid.dimensions = request.dimensions;
@@ -183,12 +176,12 @@ Grid layOutGrid(const GridRequest& request)
     if (!(request.voxelSize >= 0) || !std::isfinite(request.voxelSize))
     {
       throw Refusal(Message(Parameter::voxelSize,
-        text("is ", request.voxelSize, "; it must be 0 (from resolution) or more")));
+        joined("is ", request.voxelSize, "; it must be 0 (from resolution) or more")));
     }
     if (request.voxelSize == 0 && request.resolution < 1)
     {
-      throw Refusal(
-        Message(Parameter::resolution, text("is ", request.resolution, "; it must be at least 1")));
+      throw Refusal(Message(
+        Parameter::resolution, joined("is ", request.resolution, "; it must be at least 1")));
     }
     if (request.voxelSize == 0 && !(longest > 0))
     {
@@ -228,7 +221,7 @@ void checkGrid(const Grid& grid)
     {
       throw Refusal(Message("the voxels are too far from the origin",
         {{"move the data towards it", {}}, largerVoxels()},
-        text("voxels of size ", grid.spacing[axis], " cannot be told apart at coordinate ",
+        joined("voxels of size ", grid.spacing[axis], " cannot be told apart at coordinate ",
           grid.firstSample[axis], " in double precision")));
     }
   }

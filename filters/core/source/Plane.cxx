@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/Plane.h"
 
+#include "base/Digits.h"
 #include "base/Directions.h"
 #include "base/Refusal.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 #include <utility>
 
@@ -109,9 +109,9 @@ std::string textAlong(const std::vector<Plane>& planes, const Eigen::Matrix3d& i
   std::string text;
   for (const Plane& plane : planes)
   {
-    char offset[40];
-    std::snprintf(offset, sizeof offset, " = %.17g", -plane.height(origin));
-    text += (text.empty() ? "" : "; ") + textOf(inverseAxes * plane.normal) + offset;
+    constexpr int exact = 17;
+    text += joined(text.empty() ? "" : "; ", textOf(inverseAxes * plane.normal), " = ",
+      inDigits(-plane.height(origin), exact));
   }
   return text;
 }

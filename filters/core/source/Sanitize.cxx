@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/Sanitize.h"
+#include "base/Digits.h"
 #include "base/Executor.h"
 
 #include "base/Concatenation.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 
 namespace winding
@@ -116,9 +116,7 @@ std::string nameOf(const std::vector<View>& views, std::size_t view, std::size_t
 
 template <class... Parts> [[noreturn]] void refuse(const Parts&... parts)
 {
-  std::ostringstream message;
-  (message << ... << parts);
-  throw Refusal(message.str());
+  throw Refusal(joined(parts...));
 }
 
 [[noreturn]] void refusePosition(const std::string& name, const Eigen::Vector3d& position)

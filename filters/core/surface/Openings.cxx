@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/Openings.h"
 
+#include "base/Digits.h"
 #include "source/UnitScale.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace winding
 {
@@ -49,9 +49,7 @@ std::string planesOf(const BoundaryEdges& boundary, const Surface& surface, doub
                             { return isThere(t[0]) && isThere(t[1]) && isThere(t[2]); });
       if (isOpen)
       {
-        char text[60];
-        std::snprintf(text, sizeof text, "%c = %.6g", "xyz"[axis], place);
-        planes += (planes.empty() ? "" : " and ") + std::string(text);
+        planes += joined(planes.empty() ? "" : " and ", "xyz"[axis], " = ", place);
       }
     }
   }

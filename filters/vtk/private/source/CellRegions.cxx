@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/source/CellRegions.h"
 
+#include "base/Digits.h"
 #include "base/Parameter.h"
 #include "base/Refusal.h"
 
@@ -61,9 +62,8 @@ int regionOf(vtkDataArray* regions, vtkIdType cell)
   const double value = regions->GetComponent(cell, 0);
   if (!(std::abs(value) < 1e9) || value != std::floor(value))
   {
-    throw refusedRegions("'" + std::string(regions->GetName()) + "' has the value " +
-                         std::to_string(value) + " at cell " + std::to_string(cell) +
-                         ", and regions are integers");
+    throw refusedRegions(joined("'", regions->GetName(), "' has the value ", value, " at cell ",
+      cell, ", and regions are integers"));
   }
   return static_cast<int>(value);
 }
