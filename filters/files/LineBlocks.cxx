@@ -67,8 +67,8 @@ bool hasComment(const char* at, const char* end)
   return !word.empty();
 }
 
-/// Writes blanks for the backslashes that join lines in `text`, and for the ends of these lines. The
-/// last of `size` bytes is the end of a line, and stays.
+/// Writes blanks for the backslashes that join lines in `text`, and for the ends of these lines.
+/// The last of `size` bytes is the end of a line, and stays.
 void joinLines(char* text, std::size_t size)
 {
   char* const last = text + size - 1;

@@ -60,7 +60,7 @@ double availableBytes()
   return std::numeric_limits<double>::infinity();
 }
 
-/// What a build or an object is made of, repetitions included.
+/// The numbers of triangles and objects in a build or an object, with repetitions.
 struct Size
 {
   double triangles = 0, objects = 0;

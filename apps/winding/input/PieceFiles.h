@@ -20,6 +20,6 @@ struct Piece
  */
 std::vector<Piece> piecesOf(const std::string& fileName);
 
-/// Throws Failure where one of `pieces` of `fileName` is required and not there, or is a pipe, which
-/// would be waited for.
+/// Throws Failure where one of `pieces` of `fileName` is required and not there, or is a pipe, for
+/// which readers would wait.
 void checkPieces(const std::string& fileName, const std::vector<Piece>& pieces);

@@ -18,8 +18,8 @@ enum class ReaderMessage : char
   data      ///< the data (DataStream.h)
 };
 
-/// Does the work of a process that was made to read a file: reads within the limits of `size` bytes,
-/// which are the file's and those of its parts, sends messages into a pipe, and ends the process. The process's standard output and error are closed, for VTK
-/// and the C library print there, too.
+/// Does the work of a process that was made to read a file: reads within limits for `size` bytes,
+/// its own and its parts', sends messages into a pipe, and ends the process. The process's standard
+/// output and error are closed, for VTK and the C library print there, too.
 [[noreturn]] void readAndSend(
   const std::string& fileName, const VtkFormat& format, std::uintmax_t size, int pipe);

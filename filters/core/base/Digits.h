@@ -8,8 +8,8 @@
 
 /**
  * @file
- * Numbers as text, with a point in every locale: hosts such as Qt choose the user's, where printf()
- * and streams may write a comma.
+ * Numbers as text, with a point in every locale: hosts as Qt choose the user's, where printf() and
+ * streams may write a comma.
  */
 
 namespace winding

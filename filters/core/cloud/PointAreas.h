@@ -47,9 +47,9 @@ struct PointAreaOptions
  * neighbours count: else few flipped normals would have the areas of many. neighbors is k, at least
  * 3; where k neighbours leave a cell open, or few of them are similar, four times as many are
  * looked at, and thirty spots where most points lie in spots of more than k / 8, as several scans
- * of one surface make them. Areas are in squared units of the positions, finite, and 0 or more: 0 where rounding
- * leaves nothing of a cell between its neighbours, and for all points of a cloud that has one place
- * only, for then nothing defines an area.
+ * of one surface make them. Areas are in squared units of the positions, finite, and 0 or more: 0
+ * where rounding leaves nothing of a cell between its neighbours, and for all points of a cloud
+ * that has one place only, for then nothing defines an area.
  *
  * The total area of spheres is within 0.3 %, also with ten times the density on one half; that of
  * the vertices of scans is 1 to 2 % too small, because neighbours that curve away from the tangent
