@@ -5,6 +5,7 @@
 #include "files/Words.h"
 
 #include <algorithm>
+#include <cstring>
 #include <string_view>
 
 namespace winding
@@ -90,16 +91,21 @@ void InputFile::read(std::size_t offset, char* bytes, std::size_t count) const
 void InputFile::readText(std::size_t offset, char* bytes, std::size_t count) const
 {
   this->read(offset, bytes, count);
+  if (count == 0 || !std::memchr(bytes, '\r', count))
+  {
+    return;
+  }
   char behind = ' ';
-  if (count > 0 && bytes[count - 1] == '\r' && offset + count < this->size())
+  if (bytes[count - 1] == '\r' && offset + count < this->size())
   {
     this->read(offset + count, &behind, 1);
   }
-  for (std::size_t i = 0; i + 1 < count; ++i)
+  for (std::size_t i = 0; i + 1 < count; ++i) // without branches, for vectors
   {
-    bytes[i] = bytes[i] == '\r' && bytes[i + 1] != '\n' ? '\n' : bytes[i];
+    const bool isLone = (bytes[i] == '\r') & (bytes[i + 1] != '\n');
+    bytes[i] = isLone ? '\n' : bytes[i];
   }
-  if (count > 0 && bytes[count - 1] == '\r' && behind != '\n')
+  if (bytes[count - 1] == '\r' && behind != '\n')
   {
     bytes[count - 1] = '\n';
   }
