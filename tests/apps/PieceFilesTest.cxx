@@ -387,10 +387,11 @@ TEST_F(PieceFiles, AreKeptUnlessTheUserOverwrites)
   folder.write("a.glb", binaryGltf(R"(,"uri":"cube.stl")"));
   const std::string header =
     "NDims = 3\nDimSize = 4 4 4\nElementType = MET_UCHAR\nElementDataFile = ";
-  folder.write("one.mhd", header + "a.vtp\n");
-  folder.write("list.mhd", header + "LIST\ncube.stl\na.vtp\n");
+  folder.write("one.mhd", header + "voxels.nrrd\n");
+  folder.write("list.mhd", header + "LIST\ncube.stl\nvoxels.nrrd\n");
   folder.write("a.nhdr", "NRRD0004\ndimension: 3\nsizes: 4 4 4\ntype: uchar\nencoding: raw\n"
-                         "data file: a.vtp\n");
+                         "data file: voxels.nrrd\n");
+  folder.write("voxels.nrrd", std::string(64, '\1'));
   std::filesystem::create_symlink(folder.path("a.vtp"), folder.path("link.vtp"));
   const std::string mesh = folder.write("mesh.off", asFile(sphere(2), "off"));
   using Words = std::vector<std::string>;
@@ -399,9 +400,9 @@ TEST_F(PieceFiles, AreKeptUnlessTheUserOverwrites)
       {{"surface", "a.vtm"}, "link.vtp"}, {{"surface", "a.pvtp"}, "b & c.vtp"},
       {{"surface", "a.gltf"}, "cube.stl"}, {{"surface", "a.glb"}, "cube.stl"},
       {{"normals", "outer.vtm"}, "a.vtp"}, {{"probe", "mesh.off", "a.pvtp"}, "a.vtp"},
-      {{"surface", "mesh.off", "--like", "one.mhd"}, "a.vtp"},
-      {{"surface", "mesh.off", "--like", "list.mhd"}, "cube.stl"},
-      {{"surface", "mesh.off", "--like", "a.nhdr"}, "a.vtp"}})
+      {{"field", "mesh.off", "--like", "one.mhd"}, "voxels.nrrd"},
+      {{"field", "mesh.off", "--like", "list.mhd"}, "voxels.nrrd"},
+      {{"voxels", "mesh.off", "--like", "a.nhdr"}, "voxels.nrrd"}})
   {
     const std::string before = contentsOf(folder.path(part));
     Words words = arguments;
