@@ -164,9 +164,9 @@ struct Growing
   int triangles;
 };
 
-constexpr Growing growing[] = {{"report on a star", star, report, 5000},
-  {"report on pages", pages, report, 5000},
-  {"report on large triangles", largeTriangles, report, 3000},
+constexpr Growing growing[] = {{"report on a star", star, report, 3000},
+  {"report on pages", pages, report, 3000},
+  {"report on large triangles", largeTriangles, report, 2000},
   {"report on boxes in boxes", nestedBoxes, report, 6000},
   {"orientation of boxes in boxes", nestedBoxes, orientFaces, 6000},
   {"orientation of pages", pages, orientFaces, 15'000},

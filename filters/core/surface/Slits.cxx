@@ -237,7 +237,7 @@ private:
 
   /// Where more boxes and pieces of edges are about as near as the nearest, they are a tangle
   /// without slits. On scans, CAD and fractures a search looks at 189 of them at most.
-  static constexpr std::size_t mostLooks = 1000;
+  static constexpr std::size_t mostLooks = 500;
 
   struct Boxes
   {

@@ -20,7 +20,7 @@ namespace winding
  * opposite way: the dot product of their directions is negative. The width of an edge is the
  * largest at its two ends and its middle. It is 0 where a slit ends, the slit's width along a slit,
  * and about the hole's width at a hole. Where no edge runs the opposite way it is the diagonal of
- * the bounds. Each point looks at a thousand boxes and edges at most, the nearest first. So where
+ * the bounds. Each point looks at 500 boxes and edges at most, the nearest first. So where
  * thousands of edges are about equally near, as in soups of large triangles, widths may be too
  * large.
  *
