@@ -126,9 +126,10 @@ private:
       const Eigen::Vector3d& center = tree_.moments.centers[node];
       for (std::size_t i = 0; i < padded; ++i)
       {
-        x[i] = inverse * static_cast<float>(block_.samples.x[i] - center[0]);
-        y[i] = inverse * static_cast<float>(block_.samples.y[i] - center[1]);
-        z[i] = inverse * static_cast<float>(block_.samples.z[i] - center[2]);
+        const std::size_t sample = std::min(i, block_.samples.count - 1); // the last fills vectors
+        x[i] = inverse * static_cast<float>(block_.samples.x[sample] - center[0]);
+        y[i] = inverse * static_cast<float>(block_.samples.y[sample] - center[1]);
+        z[i] = inverse * static_cast<float>(block_.samples.z[sample] - center[2]);
       }
       addMomentGradients(MomentDerivatives(tree_.order(), tree_.moments.of(node)), inverse, x, y, z,
         block_.samples.count, sums);
