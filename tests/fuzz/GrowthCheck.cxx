@@ -132,7 +132,7 @@ void orientFaces(const Mesh& mesh)
 {
   SerialExecutor serial;
   const Surface surface = shapes::clean(mesh);
-  orient(surface, edgesOf(surface, serial), {}, serial);
+  orient(surface, {}, serial);
 }
 
 /// A tetrahedron around all of a mesh.
