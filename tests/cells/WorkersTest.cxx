@@ -30,7 +30,7 @@
 #include <string>
 #include <utility>
 
-/// @file What is thrown in a worker thread ends the run in order, whatever backend the threads are of.
+/// @file Exceptions in worker threads end runs in order, on whatever backend.
 namespace
 {
 

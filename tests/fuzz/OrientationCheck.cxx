@@ -51,7 +51,7 @@ std::size_t disagreements(const SurfaceEdges& edges)
 std::string checkOnce(
   const Surface& surface, const Orientation& found, const PolygonParts& parts, Executor& executor)
 {
-  // Which flat polygons faces make may depend on their order.
+  // The flat polygons that faces make may depend on their order.
   const CanonicalOrder ordered = inCanonicalOrder(surface, parts);
   const RepeatedFaces faces = repeatedFaces(ordered.surface, ordered.parts);
   Surface rest = surface;

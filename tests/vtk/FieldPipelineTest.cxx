@@ -247,6 +247,7 @@ void turnInPlace(vtkCellArray* cells)
 
 TEST_F(FieldPipeline, FollowsIdsThatChangeInPlace)
 {
+  sphere->Update();
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(sphere->GetOutput()->GetPoints());
   grid->SetCells(VTK_TRIANGLE, sphere->GetOutput()->GetPolys());

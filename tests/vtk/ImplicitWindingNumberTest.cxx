@@ -332,6 +332,8 @@ TEST_F(ImplicitWindingNumber, FollowsAnInputThatIsModified)
   EXPECT_NEAR(function->FunctionValue(x), 0.5, 1e-3);
 
   // Triangles are turned round within the array of their ids.
+  const double inside[3] = {2, 0, 0};
+  EXPECT_NEAR(function->FunctionValue(inside), -0.5, 1e-3);
   vtkDataArray* ids = source->GetOutput()->GetPolys()->GetConnectivityArray();
   for (vtkIdType i = 0; i < ids->GetNumberOfValues(); i += 3)
   {
@@ -342,7 +344,7 @@ TEST_F(ImplicitWindingNumber, FollowsAnInputThatIsModified)
   time = function->GetMTime();
   ids->Modified();
   EXPECT_GT(function->GetMTime(), time);
-  EXPECT_NEAR(function->FunctionValue(x), -1.5, 1e-3);
+  EXPECT_NEAR(function->FunctionValue(inside), 1.5, 1e-3);
 
   function->SetInput(sphere(180, 0.8));
   EXPECT_NEAR(function->FunctionValue(x), -0.5, 1e-3);

@@ -43,8 +43,8 @@ HWY_INLINE Vec crossed(Vec a, Vec b, Vec c, Vec d)
   return hn::Sub(hn::Mul(a, b), hn::Mul(c, d));
 }
 
-/// Returns |v| + u·v, which does not cancel at an obtuse angle to the unit vector u: `along` is u·v,
-/// `across` is |u×v|².
+/// Returns |v| + u·v, which does not cancel at an obtuse angle to the unit vector u. `along` is
+/// u·v, and `across` is |u×v|².
 HWY_INLINE Vec lengthPlus(Vec along, Vec across, Vec length)
 {
   const Tag d;

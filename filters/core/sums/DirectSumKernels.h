@@ -58,7 +58,7 @@ void multiplyAngles(const KernelTriangle* triangles, std::size_t count, const Sa
 void multiplyAnglesWatching(const KernelTriangle* triangles, std::size_t count,
   const SampleBlock& samples, AngleProducts& products);
 
-/// The bound for samples that multiplyAnglesWatching() marks. It is far above the rounding errors of
+/// The bound for samples that multiplyAnglesWatching() marks. It is far above rounding errors of
 /// numerator and denominator, which are some 1e-16 times |a||b||c|.
 constexpr double suspectAngle = 1e-6;
 

@@ -33,9 +33,9 @@ template <class Scalar> using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
 /// taken in the form that does not cancel.
 constexpr double smallSolidAngle = 0x1p-6;
 
-/// Returns (b − a) × (c − a), the cross product of any two sides: that of the shorter two cancels
-/// least. Where b and c are exchanged, it turns round to the bit. It is exactly 0 where the shorter
-/// sides are exactly parallel.
+/// Returns (b − a) × (c − a), the cross product of any two sides; it takes the shorter two, whose
+/// product cancels least. Where b and c are exchanged, it turns round to the bit. It is exactly 0
+/// where the shorter sides are exactly parallel.
 template <class Scalar>
 Vector3<Scalar> triangleNormal(
   const Vector3<Scalar>& a, const Vector3<Scalar>& b, const Vector3<Scalar>& c)

@@ -37,37 +37,37 @@ CanonicalOrder inCanonicalOrder(const Surface& surface, const PolygonParts& part
   }
   // Polygons by their lowest triangles, and the index of the first of their triangles.
   std::vector<std::pair<Triangle, std::size_t>> polygons;
-  std::vector<Triangle> triangles;
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)
   {
     const auto [a, b, c] = surface.triangles[i];
-    triangles.push_back(lowestFirst(Triangle{places[a], places[b], places[c]}, compareNumbers));
+    const Triangle triangle = lowestFirst({places[a], places[b], places[c]}, compareNumbers);
     if (i == 0 || parts.empty() || !parts[i])
     {
-      polygons.emplace_back(triangles.back(), i);
+      polygons.emplace_back(triangle, i);
     }
-    else if (compareTriangles(triangles.back(), polygons.back().first, compareNumbers) < 0)
+    else if (compareTriangles(triangle, polygons.back().first, compareNumbers) < 0)
     {
-      polygons.back().first = triangles.back();
+      polygons.back().first = triangle;
     }
   }
   std::stable_sort(polygons.begin(), polygons.end(),
     [](const auto& a, const auto& b)
     { return compareTriangles(a.first, b.first, compareNumbers) < 0; });
-  result.numbers.reserve(triangles.size());
+  result.numbers.reserve(surface.triangles.size());
   for (const auto& [lowest, first] : polygons)
   {
     std::size_t i = first;
     do
     {
-      result.surface.triangles.push_back(triangles[i]);
+      const auto [a, b, c] = surface.triangles[i];
+      result.surface.triangles.push_back({places[a], places[b], places[c]});
       result.numbers.push_back(i);
       if (!parts.empty())
       {
         result.parts.push_back(static_cast<char>(i != first));
       }
       ++i;
-    } while (!parts.empty() && i < triangles.size() && parts[i]);
+    } while (!parts.empty() && i < surface.triangles.size() && parts[i]);
   }
   return result;
 }

@@ -11,7 +11,7 @@ namespace winding
 {
 
 /// A surface whose vertices and triangles stand in an order that follows from coordinates alone.
-/// What is decided on it depends on the set of its triangles, whatever order they came in.
+/// Decisions about it depend on the set of its triangles, whatever order they came in.
 struct CanonicalOrder
 {
   Surface surface;
@@ -30,9 +30,8 @@ struct CanonicalOrder
   }
 };
 
-/// Returns a surface in canonical order, its polygons by their lowest triangles, and the triangles
-/// of each polygon as they were. Each triangle begins at its lowest corner. No two vertices may be
-/// equal. Takes O(n log n) time.
+/// Returns a surface in canonical order: its polygons by their lowest triangles, and the triangles
+/// of each polygon as they were. No two vertices may be equal. Takes O(n log n) time.
 CanonicalOrder inCanonicalOrder(const Surface& surface, const PolygonParts& parts);
 
 } // namespace winding

@@ -25,7 +25,7 @@ std::vector<char> capNearlyClosed(
 /// A closed or nearly closed component, and how it lies in others.
 struct JudgedComponent
 {
-  /// As it lies in other closed components; one that is nearly closed, also in nearly closed ones.
+  /// How it lies in closed components and, if it is nearly closed itself, in nearly closed ones.
   ClosedComponent lies;
   bool isNearlyClosed;
   /// Whether a closed component has the wrong sense only if nearly closed ones count as closed, or

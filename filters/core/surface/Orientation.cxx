@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -468,8 +469,52 @@ Orientation orientOnce(
   return result;
 }
 
-/// Orients a surface in canonical order.
-Orientation orientInOrder(const Surface& surface, const PolygonParts& parts, Executor& executor)
+/// Has the face that came first stand for each pair whose other face is left out: it has the data
+/// that users expect. `numbers` says by triangle when it came. Flat pairs of triangles that are cut
+/// otherwise stay, for the set of triangles would depend on their order.
+void keepEarlierOfPairs(const Surface& surface, const PolygonParts& parts,
+  const RepeatedFaces& faces, const std::vector<std::size_t>& numbers, Orientation& orientation)
+{
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> facing(faces.groups.size(), none), opposite = facing; // by group
+  for (std::size_t i = 0; i < faces.kinds.size(); ++i)
+  {
+    if (faces.kinds[i] == FaceKind::facing)
+    {
+      facing[faces.groups[i]] = i;
+    }
+    else if (faces.kinds[i] == FaceKind::opposite)
+    {
+      opposite[faces.groups[i]] = i;
+    }
+  }
+  const auto isCutAlike = [&surface](std::size_t i, std::size_t j)
+  {
+    Triangle a = surface.triangles[i], b = surface.triangles[j];
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    return a == b;
+  };
+  const Orientation found = orientation;
+  for (std::size_t i = 0; i < faces.kinds.size(); ++i)
+  {
+    const std::int32_t group = faces.groups[i];
+    if (group >= 0 && facing[group] != none && !found.isLeftOut[facing[group]] &&
+        found.isLeftOut[opposite[group]] && numbers[opposite[group]] < numbers[facing[group]] &&
+        (!parts.empty() || isCutAlike(facing[group], opposite[group])))
+    {
+      const bool isKept = faces.kinds[i] == FaceKind::opposite;
+      orientation.isLeftOut[i] = !isKept;
+      orientation.isTurned[i] = isKept && !found.isTurned[facing[group]];
+    }
+  }
+  orientation.triangles = static_cast<std::size_t>(
+    std::count(orientation.isTurned.begin(), orientation.isTurned.end(), char(1)));
+}
+
+/// Orients a surface in canonical order. `numbers` says by triangle when it came.
+Orientation orientInOrder(const Surface& surface, const PolygonParts& parts,
+  const std::vector<std::size_t>& numbers, Executor& executor)
 {
   const SurfaceEdges edges = edgesOf(surface, executor);
   const RepeatedFaces faces = repeatedFaces(surface, parts);
@@ -516,6 +561,7 @@ Orientation orientInOrder(const Surface& surface, const PolygonParts& parts, Exe
     const bool isOfPair = faces.kinds[once.numbers[i]] == FaceKind::facing;
     result.isLeftOut[once.numbers[i]] = sheets.isInside[i] && isOfPair;
   }
+  keepEarlierOfPairs(surface, parts, faces, numbers, result);
   return result;
 }
 
@@ -524,7 +570,7 @@ Orientation orientInOrder(const Surface& surface, const PolygonParts& parts, Exe
 Orientation orient(const Surface& surface, const PolygonParts& parts, Executor& executor)
 {
   const CanonicalOrder ordered = inCanonicalOrder(surface, parts);
-  Orientation result = orientInOrder(ordered.surface, ordered.parts, executor);
+  Orientation result = orientInOrder(ordered.surface, ordered.parts, ordered.numbers, executor);
   result.isTurned = ordered.given(result.isTurned);
   result.isLeftOut = ordered.given(result.isLeftOut);
   return result;

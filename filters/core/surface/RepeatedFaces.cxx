@@ -51,20 +51,14 @@ enum class Place : char
 {
   unclear,
   skin, ///< of a solid
-  wall  ///< between two solids
+  wall  ///< between two solids, or a fin: it has the same on both sides
 };
 
-/// Returns the place of each triangle, unclear where the faces equal to it are in several. Holes are
-/// capped first, and caps that are equal to faces count as copies of them.
-std::vector<Place> placesOf(const Surface& surface, const SurfaceEdges& edges,
-  const RepeatedFaces& uncapped, PolygonParts parts, Executor& executor)
+/// Returns the place of each of the first `own` triangles, unclear where the faces equal to it are
+/// in several. The other triangles are caps: those that are equal to faces count as their copies.
+std::vector<Place> placesOf(
+  const Surface& capped, std::size_t own, const RepeatedFaces& faces, Executor& executor)
 {
-  const std::size_t own = surface.triangles.size();
-  Surface capped = surface;
-  const TriangleList caps = oddCaps(surface, edges);
-  capped.triangles.insert(capped.triangles.end(), caps.begin(), caps.end());
-  parts.resize(parts.empty() ? 0 : capped.triangles.size(), 0);
-  const RepeatedFaces faces = caps.empty() ? uncapped : repeatedFaces(capped, parts);
   std::vector<char> isFirst;
   std::vector<std::int32_t> counts;
   for (std::size_t i = 0; i < faces.kinds.size(); ++i)
@@ -87,11 +81,8 @@ std::vector<Place> placesOf(const Surface& surface, const SurfaceEdges& edges,
     if (group >= 0)
     {
       const Shells::Region before = regions[2 * i], behind = regions[2 * i + 1];
-      const bool areSolid = before == Shells::Region::solid && behind == Shells::Region::solid;
       const bool isClear = before != Shells::Region::unclear && behind != Shells::Region::unclear;
-      const Place place = areSolid                      ? Place::wall
-                          : isClear && before != behind ? Place::skin
-                                                        : Place::unclear;
+      const Place place = !isClear ? Place::unclear : before == behind ? Place::wall : Place::skin;
       ofGroups[group] = ofGroups[group].value_or(place) == place ? place : Place::unclear;
     }
   }
@@ -187,7 +178,23 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts)
 std::vector<char> facesToLeaveOut(const Surface& surface, const SurfaceEdges& edges,
   const RepeatedFaces& faces, const PolygonParts& parts, Executor& executor)
 {
-  const std::vector<Place> places = placesOf(surface, edges, faces, parts, executor);
+  const std::size_t own = surface.triangles.size();
+  std::vector<Place> places = placesOf(surface, own, faces, executor);
+  Surface capped = surface;
+  const TriangleList caps = oddCaps(surface, edges);
+  capped.triangles.insert(capped.triangles.end(), caps.begin(), caps.end());
+  if (!caps.empty())
+  {
+    PolygonParts cappedParts = parts;
+    cappedParts.resize(parts.empty() ? 0 : capped.triangles.size(), 0);
+    const std::vector<Place> ofCapped =
+      placesOf(capped, own, repeatedFaces(capped, cappedParts), executor);
+    // Where caps lie on faces, places are clear without them only.
+    for (std::size_t i = 0; i < own; ++i)
+    {
+      places[i] = ofCapped[i] == Place::unclear ? places[i] : ofCapped[i];
+    }
+  }
   const std::vector<char> isWithSingle = areWithSingle(edges, faces);
   std::vector<char> isLeftOut;
   for (std::size_t i = 0; i < places.size(); ++i)

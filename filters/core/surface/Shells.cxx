@@ -35,7 +35,6 @@ Shells::Shells(const Surface& surface, const SurfaceEdges& edges)
   for (const SurfaceEdges::Rim& rim : edges.rims)
   {
     sets_.unite(2 * rim.triangle, 2 * rim.triangle + 1);
-    unclearSides.push_back(2 * rim.triangle);
   }
   for (const SurfaceEdges::Pair& pair : edges.pairs)
   {
@@ -142,7 +141,7 @@ std::vector<Step> takenTogether(std::vector<Step> steps)
   return steps;
 }
 
-/// Keeps one step from each shell to each other: that of most triangles, the least one of several.
+/// Keeps one step from each shell to each other: the most common one, the least of several.
 void keepMostCommon(std::vector<Step>& steps)
 {
   std::size_t kept = 0;
@@ -164,7 +163,7 @@ constexpr std::int32_t unknown = std::numeric_limits<std::int32_t>::min();
 
 /// Hands the numbers of shells on by steps, one step after the other from those that have one.
 /// after(number, value) is the number behind a step, or unknown. Where several steps reach a shell
-/// first, that of most triangles counts, and then the least number.
+/// first, the most common one counts, and then the least number.
 template <class After>
 void handOn(const std::vector<Step>& steps, std::vector<std::int32_t>& numbers, const After& after)
 {
@@ -219,12 +218,21 @@ void handOn(const std::vector<Step>& steps, std::vector<std::int32_t>& numbers, 
 
 std::vector<Shells::Region> Shells::regions(const std::vector<std::int32_t>& counts) const
 {
+  std::vector<Region> byShell = byVolume_;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+  {
+    const std::int32_t front = shells_[2 * i];
+    if (front == shells_[2 * i + 1] && counts[i] % 2 == 1)
+    {
+      byShell[front] = Region::unclear;
+    }
+  }
   std::vector<Step> steps;
   for (std::size_t i = 0; i < counts.size(); ++i)
   {
     const std::int32_t front = shells_[2 * i], back = shells_[2 * i + 1];
-    const bool isClear = byVolume_[front] != Region::unclear && byVolume_[back] != Region::unclear;
-    if (counts[i] > 0 && isClear)
+    const bool isClear = byShell[front] != Region::unclear && byShell[back] != Region::unclear;
+    if (counts[i] > 0 && front != back && isClear)
     {
       steps.push_back({front, back, counts[i], 1});
       steps.push_back({back, front, counts[i], 1});
@@ -235,7 +243,7 @@ std::vector<Shells::Region> Shells::regions(const std::vector<std::int32_t>& cou
   std::vector<std::int32_t> numbers(shells_.size(), unknown);
   for (const std::int32_t shell : shells_)
   {
-    if (byVolume_[shell] == Region::empty)
+    if (byShell[shell] == Region::empty)
     {
       numbers[shell] = 0;
     }

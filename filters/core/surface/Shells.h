@@ -28,7 +28,7 @@ public:
   /// A region, as far as the connected surface knows that bounds it.
   enum class Region : char
   {
-    unclear, ///< a shell has a rim or triangles that lie on one another, or regions contradict
+    unclear, ///< triangles lie on one another, a surface is open, or regions contradict
     empty,
     solid
   };
@@ -41,7 +41,8 @@ public:
    * drawn n times has n faces everywhere. So the numbers of a region and of its neighbour behind a
    * triangle add up to the triangle's count, from the outside on, which has 0. Between two regions
    * the count of most triangles holds. A region is empty with 0 and solid with more. It is unclear
-   * where one way leads to a solid and another to none.
+   * where one way leads to a solid and another to none, and where it lies on both sides of an odd
+   * number of faces, through a hole. An even number may be a fin, which bounds nothing.
    */
   std::vector<Region> regions(const std::vector<std::int32_t>& counts) const;
 

@@ -222,7 +222,7 @@ TEST(Orientation, LeavesCavitiesInASkinWithAHole)
     expectStays(without(skin, missing).with(wall.reversed()), random);
     expectStays(skin.with(without(wall.reversed(), missing)), random);
   }
-  // What looks inward without any other around it is turned as ever.
+  // A ball that looks inward with no other part around it is turned as ever.
   expectTriangles(oriented(without(skin, 5).with(ball({3, 0, 0}, 1).reversed())),
     without(skin, 5).with(ball({3, 0, 0}, 1)));
 }
