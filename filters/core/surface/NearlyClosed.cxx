@@ -169,7 +169,7 @@ private:
 } // namespace
 
 std::vector<char> capNearlyClosed(
-  Surface& surface, const SurfaceEdges& edges, Components& components)
+  Surface& surface, const SurfaceEdges& edges, Components& components, double mostOfArea)
 {
   const double scale = unitScale(surface.bounds);
   std::vector<double> areas(components.size(), 0), capAreas(components.size(), 0);
@@ -186,9 +186,6 @@ std::vector<char> capNearlyClosed(
     }
   }
   std::vector<char> isCapped(components.size(), 0);
-  // A larger cap makes w differ less between the two sides of the surface, so that the side shows
-  // less. Caps of just half the area are common, and rounding must not decide about them.
-  constexpr double mostOfArea = 0.5 + 1e-9;
   for (const auto& [component, cap] : caps)
   {
     if (capAreas[component] <= mostOfArea * areas[component])
@@ -204,33 +201,34 @@ std::vector<char> capNearlyClosed(
 std::vector<JudgedComponent> judgedComponents(const Surface& surface, const SurfaceEdges& edges,
   const Components& components, std::vector<char>& isCapped, Executor& executor)
 {
-  std::vector<JudgedComponent> result;
-  for (const ClosedComponent& closed : closedComponents(surface, components, executor))
+  const auto judge = [&](double mostOfArea)
   {
-    result.push_back({closed, false, false});
-  }
-  isCapped.assign(components.size(), 0);
-  if (result.size() == components.size())
-  {
+    Surface capped = surface;
+    Components solids = components;
+    isCapped = capNearlyClosed(capped, edges, solids, mostOfArea);
+    addMiddles(capped, solids, isCapped, surface.triangles.size());
+    std::vector<JudgedComponent> result;
+    for (const ClosedComponent& closed : closedComponents(capped, solids, executor))
+    {
+      result.push_back({closed, isCapped[closed.component] != 0, false});
+    }
     return result;
-  }
-  Surface capped = surface;
-  Components solids = components;
-  isCapped = capNearlyClosed(capped, edges, solids);
-  addMiddles(capped, solids, isCapped, surface.triangles.size());
-  std::size_t next = 0; // of the closed ones, which come in the same order
-  std::vector<JudgedComponent> alone = std::move(result);
-  result.clear();
-  for (const ClosedComponent& closed : closedComponents(capped, solids, executor))
+  };
+  const std::vector<JudgedComponent> tight = judge(mostOfTightlyClosed);
+  if (tight.size() == components.size())
   {
-    JudgedComponent judged = {closed, true, false};
-    if (!isCapped[closed.component])
+    return tight;
+  }
+  std::vector<JudgedComponent> result = judge(mostOfNearlyClosed);
+  auto next = tight.begin(); // tightly closed components come in the same order
+  for (JudgedComponent& judged : result)
+  {
+    if (next != tight.end() && next->lies.component == judged.lies.component)
     {
       const bool isWrongToo = judged.isWrong();
-      judged = alone[next++];
+      judged = *next++;
       judged.isUnclear = judged.isWrong() != isWrongToo;
     }
-    result.push_back(judged);
   }
   return result;
 }

@@ -10,26 +10,35 @@
 namespace winding
 {
 
+/// The largest cap that closes a component so that its sides show, as a share of its own area. A box
+/// without a lid is closed, since its cap has a fifth of its area, and so is a tube as long as it is
+/// wide; less than half of a sphere is not. Caps of just that share are common, and rounding must
+/// not decide about them.
+constexpr double mostOfNearlyClosed = 0.5 + 1e-9;
+
+/// The largest cap that closes a component so well that it encloses others as closed ones do: w is
+/// about 0.9 in the middle of a sphere with a cap of that share.
+constexpr double mostOfTightlyClosed = 0.1;
+
 /**
  * Closes the components that are closed except for a part, so that it is known which side of them
- * is out: all components whose cap (Cap.h), one for all of their holes, has at most half of their
- * own area. Their caps are appended to the surface's triangles, and the components are marked as
- * closed. So a box without a lid is closed (its cap has a fifth of its area), and so is a tube as
- * long as it is wide; less than half of a sphere is not.
+ * is out: all components whose cap (Cap.h), one for all of their holes, has at most `mostOfArea` of
+ * their own area. Their caps are appended to the surface's triangles, and the components are marked
+ * as closed.
  *
  * `edges` belong to the surface, oriented as it is. Returns, by component, whether it was capped.
  */
-std::vector<char> capNearlyClosed(
-  Surface& surface, const SurfaceEdges& edges, Components& components);
+std::vector<char> capNearlyClosed(Surface& surface, const SurfaceEdges& edges,
+  Components& components, double mostOfArea = mostOfNearlyClosed);
 
 /// A closed or nearly closed component, and how it lies in others.
 struct JudgedComponent
 {
-  /// How it lies in closed components and, if it is nearly closed itself, in nearly closed ones.
+  /// How it lies in tightly closed components or, if it is none itself, in nearly closed ones.
   ClosedComponent lies;
-  bool isNearlyClosed;
-  /// Whether a closed component has the wrong sense only if nearly closed ones count as closed, or
-  /// only if they do not: a cavity in a skin with a hole, say, or a ball in a tub.
+  bool isNearlyClosed; ///< and not closed
+  /// Whether a tightly closed component has the wrong sense only if nearly closed ones count, or
+  /// only if they do not, as a ball in a tub has.
   bool isUnclear;
 
   bool isWrong() const { return lies.isInverted() || lies.isNestedSolid(); }

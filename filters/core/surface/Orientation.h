@@ -33,14 +33,13 @@ struct Orientation
  *    patches that are connected with them are turned so that the regions that they separate are
  *    empty and solid in turn (Shells.h). Where that is unclear, patches are turned, small ones
  *    first, as long as that makes more of the triangles cancel.
- * 3. Components (Components.h) that are closed then are turned so that those inside an even number
- *    of other closed ones are oriented outward, and those inside an odd number, cavities, inward
- *    (ClosedComponents.h). Nearly closed components (NearlyClosed.h) are turned likewise, except
- *    that other nearly closed ones count for them, too. A closed component whose triangles agreed
- *    stays where that depends on nearly closed ones: a cavity in a skin with a hole, or a ball in a
- *    tub. Open or flat components are turned so that at most half of their area is turned, or
- *    outward if flat lids would close them (Openings.h). Components with a patch that stays in
- *    step 1 stay as they are.
+ * 3. Components (Components.h) that are tightly closed then (NearlyClosed.h) are turned so that
+ *    those inside an even number of others are oriented outward, and those inside an odd number,
+ *    cavities, inward (ClosedComponents.h). Nearly closed components are turned likewise, except
+ *    that other nearly closed ones count for them, too. A component whose triangles agreed stays
+ *    where these make the difference, as a ball in a tub. Open or flat components are turned so that
+ *    at most half of their area is turned, or outward if flat lids would close them (Openings.h).
+ *    Components with a patch that stays in step 1 stay as they are.
  *
  * So a surface whose triangles agree stays as it is, except for inverted components, nested solids
  * and faces that are there more than once in one sense. The result depends on the set of triangles

@@ -94,8 +94,15 @@ std::vector<Place> placesOf(
   return places;
 }
 
-/// Returns for each triangle whether a single face is connected with it through edges.
-std::vector<char> areWithSingle(const SurfaceEdges& edges, const RepeatedFaces& faces)
+/// What is known of triangles that are connected through edges.
+struct Connected
+{
+  bool hasSingle = false; ///< whether any of them is there once
+  bool isClosed = true;   ///< whether they cancel at all edges
+};
+
+/// Returns what is known of the triangles that are connected with each.
+std::vector<Connected> connectedWith(const SurfaceEdges& edges, const RepeatedFaces& faces)
 {
   const std::size_t count = faces.kinds.size();
   DisjointSets sets(count);
@@ -110,15 +117,26 @@ std::vector<char> areWithSingle(const SurfaceEdges& edges, const RepeatedFaces& 
       sets.unite(edges.begin(crowd)->triangle, use->triangle);
     }
   }
-  std::vector<char> hasSingle(count, 0), result;
-  for (std::size_t i = 0; i < count; ++i)
+  std::vector<Connected> bySet(count), result;
+  for (const SurfaceEdges::Rim& rim : edges.rims)
   {
-    hasSingle[sets.find(static_cast<std::int32_t>(i))] |=
-      static_cast<char>(faces.kinds[i] == FaceKind::single);
+    bySet[sets.find(rim.triangle)].isClosed = false;
+  }
+  for (const SurfaceEdges::Pair& pair : edges.pairs)
+  {
+    bySet[sets.find(pair.triangles[0])].isClosed &= pair.agrees;
+  }
+  for (const SurfaceEdges::Crowd& crowd : edges.crowds)
+  {
+    bySet[sets.find(edges.begin(crowd)->triangle)].isClosed &= edges.net(crowd) == 0;
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    result.push_back(hasSingle[sets.find(static_cast<std::int32_t>(i))]);
+    bySet[sets.find(static_cast<std::int32_t>(i))].hasSingle |= faces.kinds[i] == FaceKind::single;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    result.push_back(bySet[sets.find(static_cast<std::int32_t>(i))]);
   }
   return result;
 }
@@ -195,7 +213,7 @@ std::vector<char> facesToLeaveOut(const Surface& surface, const SurfaceEdges& ed
       places[i] = ofCapped[i] == Place::unclear ? places[i] : ofCapped[i];
     }
   }
-  const std::vector<char> isWithSingle = areWithSingle(edges, faces);
+  const std::vector<Connected> connected = connectedWith(edges, faces);
   std::vector<char> isLeftOut;
   for (std::size_t i = 0; i < places.size(); ++i)
   {
@@ -210,8 +228,9 @@ std::vector<char> facesToLeaveOut(const Surface& surface, const SurfaceEdges& ed
       isLeftOut.push_back(!isOfPair);
       break;
     case Place::unclear:
-      isLeftOut.push_back(
-        kind == FaceKind::repeated || (kind == FaceKind::opposite && !isWithSingle[i]));
+      // Solids that overlap may have faces in common.
+      isLeftOut.push_back((kind == FaceKind::repeated && !connected[i].isClosed) ||
+                          (kind == FaceKind::opposite && !connected[i].hasSingle));
       break;
     }
   }

@@ -222,6 +222,16 @@ TEST(Orientation, LeavesCavitiesInASkinWithAHole)
     expectStays(without(skin, missing).with(wall.reversed()), random);
     expectStays(skin.with(without(wall.reversed(), missing)), random);
   }
+  // Whatever the senses are, the cavity is one.
+  for (unsigned seed = 842; seed < 862; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random senses(seed);
+    const Mesh right = without(skin, senses.bits() % skin.triangles.size()).with(wall.reversed());
+    expectTriangles(oriented(shuffled(right, seed, senses(0, 1))), right);
+    expectTriangles(oriented(right.part(0, skin.triangles.size() - 1).with(wall)), right);
+    expectTriangles(oriented(right.reversed()), right);
+  }
   // A ball that looks inward with no other part around it is turned as ever.
   expectTriangles(oriented(without(skin, 5).with(ball({3, 0, 0}, 1).reversed())),
     without(skin, 5).with(ball({3, 0, 0}, 1)));
@@ -238,6 +248,24 @@ TEST(Orientation, LeavesSolidsThatOverlapAndConformWhicheverTriangleIsMissing)
     SCOPED_TRACE(missing);
     expectStays(without(both, missing), random);
   }
+}
+
+/// Bars that overlap and share faces, all of which cancel: w is 2 where they overlap.
+TEST(Orientation, LeavesBarsThatOverlapAndShareFaces)
+{
+  SCOPED_TRACE("seed 835");
+  Random random(835);
+  const auto bar = [](int first, int last)
+  {
+    Cells cells;
+    for (int x = first; x < last; ++x)
+    {
+      cells.insert({x, 0, 0});
+    }
+    return surfaceOf(cells);
+  };
+  expectStays(bar(0, 3).with(bar(2, 5)), random);
+  expectStays(bar(0, 3).with(bar(1, 5)).with(bar(2, 4)), random);
 }
 
 /// The cap of four walls has half of their area.
