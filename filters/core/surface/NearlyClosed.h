@@ -10,10 +10,9 @@
 namespace winding
 {
 
-/// The largest cap that closes a component so that its sides show, as a share of its own area. A box
-/// without a lid is closed, since its cap has a fifth of its area, and so is a tube as long as it is
-/// wide; less than half of a sphere is not. Caps of just that share are common, and rounding must
-/// not decide about them.
+/// The largest cap that closes a component so that its sides show, as a share of its own area. So a
+/// box without a lid is closed, with a cap of a fifth, and so is a tube as long as it is wide; less
+/// than half of a sphere is not. Caps of just that share are common: rounding must not decide.
 constexpr double mostOfNearlyClosed = 0.5 + 1e-9;
 
 /// The largest cap that closes a component so well that it encloses others as closed ones do: w is

@@ -37,9 +37,9 @@ struct Orientation
  *    those inside an even number of others are oriented outward, and those inside an odd number,
  *    cavities, inward (ClosedComponents.h). Nearly closed components are turned likewise, except
  *    that other nearly closed ones count for them, too. A component whose triangles agreed stays
- *    where these make the difference, as a ball in a tub. Open or flat components are turned so that
- *    at most half of their area is turned, or outward if flat lids would close them (Openings.h).
- *    Components with a patch that stays in step 1 stay as they are.
+ *    where these make the difference, as a ball in a tub. Open or flat components are turned so
+ *    that at most half of their area is turned, or outward if flat lids would close them
+ *    (Openings.h). Components with a patch that stays in step 1 stay as they are.
  *
  * So a surface whose triangles agree stays as it is, except for inverted components, nested solids
  * and faces that are there more than once in one sense. The result depends on the set of triangles

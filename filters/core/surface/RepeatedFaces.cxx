@@ -94,14 +94,14 @@ std::vector<Place> placesOf(
   return places;
 }
 
-/// What is known of triangles that are connected through edges.
+/// The state of a set of triangles that are connected through edges.
 struct Connected
 {
   bool hasSingle = false; ///< whether any of them is there once
   bool isClosed = true;   ///< whether they cancel at all edges
 };
 
-/// Returns what is known of the triangles that are connected with each.
+/// Returns for each triangle the state of its connected set.
 std::vector<Connected> connectedWith(const SurfaceEdges& edges, const RepeatedFaces& faces)
 {
   const std::size_t count = faces.kinds.size();
