@@ -80,11 +80,11 @@ std::array<double, 3> weightsOfNearest(const Eigen::Vector3d& sample, const Eige
 InputPlaces::InputPlaces(
   const std::vector<TrianglesView>& views, const std::string& mirror, Executor& executor)
   : triangles_(views)
-  , mirror_(mirror)
   , tree_(
       [&]
       {
         const Surface surface = sanitize(views, executor);
+        planes_ = Mirror(mirror).planesFor(surface.bounds);
         this->numberUsable(views, surface.triangles.size());
         return DistanceTree(surface, executor);
       }())
@@ -94,11 +94,11 @@ InputPlaces::InputPlaces(
 
 InputPlaces::InputPlaces(
   const std::vector<OrientedPointsView>& views, const std::string& mirror, Executor& executor)
-  : mirror_(mirror)
-  , tree_(
+  : tree_(
       [&]
       {
         const PointCloud cloud = sanitize(views, executor);
+        planes_ = Mirror(mirror).planesFor(cloud.bounds);
         this->numberUsable(views, cloud.positions.size());
         return DistanceTree(cloud, executor);
       }())
@@ -181,11 +181,12 @@ void InputPlaces::findImages(
 {
   const double scale = tree_.scale();
   images.assign(1, sample);
-  for (const Plane& plane : mirror_.planes())
+  // The last images of the source go back first.
+  for (auto plane = planes_.rbegin(); plane != planes_.rend(); ++plane)
   {
     for (std::size_t i = 0, before = images.size(); i < before; ++i)
     {
-      images.push_back(plane.mirrored(images[i]));
+      images.push_back(plane->mirrored(images[i]));
     }
   }
   for (Eigen::Vector3d& image : images)
@@ -232,7 +233,7 @@ void InputPlaces::describe(
 void InputPlaces::findOnGrid(
   const Grid& grid, const Extent& extent, InputPlace* places, Executor& executor) const
 {
-  if (!mirror_.isNone())
+  if (!planes_.empty())
   {
     this->find(
       sampleCount(extent), [&](std::size_t n) { return grid.sample(extent, n); }, places, executor);
@@ -247,7 +248,7 @@ void InputPlaces::findOnGrid(
 
 void InputPlaces::findAt(const VectorsView& samples, InputPlace* places, Executor& executor) const
 {
-  if (!mirror_.isNone())
+  if (!planes_.empty())
   {
     this->find(
       samples.size(), [&](std::size_t n) { return samples[n]; }, places, executor);

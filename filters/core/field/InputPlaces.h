@@ -88,8 +88,8 @@ private:
   InputPlace placeOf(std::uint32_t number) const;
   InputPlace placeOf(const NearestNumbers::Answer& answer, const Eigen::Vector3d& image) const;
 
-  std::vector<TrianglesView> triangles_; ///< none for points
-  Mirror mirror_;
+  std::vector<TrianglesView> triangles_;  ///< none for points
+  std::vector<Plane> planes_;             ///< of symmetry
   std::vector<std::size_t> starts_;       ///< number of the first usable primitive of each view
   std::vector<std::uint32_t> primitives_; ///< by number; none where all are usable
   DistanceTree tree_;

@@ -27,15 +27,6 @@ Bounds withImage(Bounds bounds, const Plane& plane)
   return bounds;
 }
 
-/// Returns whether two texts name the same plane: up to rounding, with either sign.
-bool areEqual(const Plane& a, const Plane& b)
-{
-  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-  const double sign = a.normal.dot(b.normal) < 0 ? -1 : 1;
-  return (a.normal - sign * b.normal).norm() <= rounding &&
-         std::abs(a.offset - sign * b.offset) <= rounding * std::abs(a.offset);
-}
-
 } // namespace
 
 /// Returns the distance from a plane within which positions are their own images.
@@ -97,22 +88,16 @@ void Mirror::addImage(const Plane& plane, Surface& surface, PolygonParts& parts)
 }
 
 Mirror::Mirror(const std::string& text, double tolerance)
-  : tolerance_(tolerance)
+  : planes_(planesIn(text, Parameter::mirror))
+  , tolerance_(tolerance)
 {
-  constexpr double mostCosine = 1e-6; // as far from right angles as vertices may be from a plane
-  for (const Plane& plane : planesIn(text, Parameter::mirror))
-  {
-    if (std::none_of(planes_.begin(), planes_.end(),
-          [&plane](const Plane& other) { return areEqual(plane, other); }))
-    {
-      planes_.push_back(plane);
-    }
-  }
+  constexpr double mostSine = 1e-4; // normals may have five digits
   for (std::size_t i = 1; i < planes_.size(); ++i)
   {
     for (std::size_t j = 0; j < i; ++j)
     {
-      if (!(std::abs(planes_[i].normal.dot(planes_[j].normal)) <= mostCosine))
+      const Eigen::Vector3d &a = planes_[i].normal, &b = planes_[j].normal;
+      if (!(std::abs(a.dot(b)) <= mostSine || a.cross(b).norm() <= mostSine))
       {
         Message message(Parameter::mirror, "has planes that are not at right angles");
         message.remedies = {{"give one of them, or mirror the source yourself", {}}};
@@ -123,10 +108,36 @@ Mirror::Mirror(const std::string& text, double tolerance)
   }
 }
 
+std::vector<Plane> Mirror::planesFor(const Bounds& bounds) const
+{
+  const Eigen::Vector3d middle =
+    bounds.isEmpty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : bounds.center();
+  std::vector<Plane> result;
+  for (Plane plane : planes_)
+  {
+    const Eigen::Vector3d given = plane.normal, foot = plane.projected(middle);
+    bool isNew = true;
+    for (const Plane& other : result)
+    {
+      const double cosine = plane.normal.dot(other.normal);
+      const bool isParallel = std::abs(cosine) > 0.5;
+      plane.normal =
+        isParallel ? other.normal : (plane.normal - cosine * other.normal).normalized();
+      isNew = isNew && !(isParallel && std::abs(other.height(foot)) <= this->reachOf(bounds));
+    }
+    plane.offset = plane.normal == given ? plane.offset : plane.normal.dot(foot);
+    if (isNew)
+    {
+      result.push_back(plane);
+    }
+  }
+  return result;
+}
+
 Bounds Mirror::completed(const Bounds& bounds) const
 {
   Bounds result = bounds;
-  for (const Plane& plane : planes_)
+  for (const Plane& plane : this->planesFor(bounds))
   {
     result = withImage(result, plane);
   }
@@ -136,7 +147,8 @@ Bounds Mirror::completed(const Bounds& bounds) const
 bool Mirror::cuts(const std::vector<Eigen::Vector3d>& positions, const Bounds& bounds) const
 {
   const double reach = this->reachOf(bounds);
-  return std::any_of(planes_.begin(), planes_.end(),
+  const std::vector<Plane> planes = this->planesFor(bounds);
+  return std::any_of(planes.begin(), planes.end(),
     [&](const Plane& plane)
     {
       bool isBefore = false, isBehind = false;
@@ -157,7 +169,7 @@ Message cutByMirror()
 
 void Mirror::addTo(Surface& surface, PolygonParts& parts) const
 {
-  for (const Plane& plane : planes_)
+  for (const Plane& plane : this->planesFor(surface.bounds))
   {
     this->addImage(plane, surface, parts);
   }
@@ -165,7 +177,7 @@ void Mirror::addTo(Surface& surface, PolygonParts& parts) const
 
 void Mirror::addTo(PointCloud& cloud) const
 {
-  for (const Plane& plane : planes_)
+  for (const Plane& plane : this->planesFor(cloud.bounds))
   {
     const std::size_t points = cloud.positions.size();
     const bool haveNormals = !cloud.normals.empty(), haveAreas = !cloud.areas.empty();

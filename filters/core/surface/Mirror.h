@@ -16,9 +16,12 @@ namespace winding
 
 /**
  * The planes of symmetry of a whole, for a source that is one side of them, as half a hull. It gets
- * its mirror image at each plane in turn, so that two planes make four of a quarter. Planes are at
- * right angles: only then is the whole symmetric at all of them, in whatever order they come. A
- * plane that is there twice counts once.
+ * its mirror image at each plane in turn, so that two planes make four of a quarter.
+ *
+ * Planes are at right angles, up to 1e-4: only then is the whole symmetric at all of them, in
+ * whatever order they come. Those that are not quite are turned about their points next to the
+ * middle of the source, except the first. Parallel planes make a row instead. Planes that are as
+ * near to each other as vertices that are their own images count once.
  *
  * Vertices within a millionth of the bounds' longest side from a plane are their own images, so
  * that both halves meet there. Triangles that lie in the plane, as lids of closed halves, would
@@ -28,14 +31,18 @@ class Mirror
 {
 public:
   /// Takes planes as planesIn() does. Vertices up to `tolerance` from a plane are their own images,
-  /// too. Throws Refusal for other texts, and for planes that are not at right angles.
+  /// too. Throws Refusal for other texts, and for planes at other angles.
   explicit Mirror(const std::string& text, double tolerance = 0);
 
   bool isNone() const { return planes_.empty(); }
 
+  /// Returns the planes of the text.
   const std::vector<Plane>& planes() const { return planes_; }
 
-  /// Returns how often the source is there afterwards.
+  /// Returns the planes that a source with these bounds is mirrored at, in turn.
+  std::vector<Plane> planesFor(const Bounds& bounds) const;
+
+  /// Returns how often the source is there afterwards, at most.
   std::size_t copies() const { return std::size_t(1) << planes_.size(); }
 
   /// Returns whether a source reaches across a plane, so that it overlaps its own image.

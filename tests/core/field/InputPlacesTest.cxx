@@ -258,6 +258,22 @@ TEST(InputPlaces, OfMirroredSourcesLieInTheInput)
   }
 }
 
+TEST(InputPlaces, OfRowsLieInTheInput)
+{
+  // Four cubes in a row along x, made by parallel planes.
+  const Mesh mesh = cube();
+  winding::SerialExecutor serial;
+  const InputPlaces input({mesh.view()}, "x=0 x=1", serial);
+  const Point own(0.25, 0.375, 1.5);
+  const auto expected = placesOf(input, {own}).front();
+  for (const double x : {-0.25, 1.75, 2.25})
+  {
+    const auto image = placesOf(input, {Point(x, own[1], own[2])}).front();
+    EXPECT_EQ(image.primitive, expected.primitive) << x;
+    EXPECT_EQ(image.weights, expected.weights) << x;
+  }
+}
+
 TEST(InputPlaces, OfCloudsAreTheirNearestPoints)
 {
   SCOPED_TRACE("seed 914");
