@@ -9,11 +9,13 @@
 #include "surface/Boundary.h"
 #include "surface/BoundaryLoops.h"
 #include "surface/Cap.h"
+#include "surface/Components.h"
 #include "surface/PlaneCap.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -26,6 +28,9 @@ namespace
 {
 
 constexpr double shareOfBounds = 1e-6; ///< of distances from the base that do not count
+constexpr double leastShare = 0.1;     ///< of the largest rim that a rim must have
+constexpr double nextToBase = 0.1;     ///< share of the surface's height
+constexpr double steepest = 0.7071;    ///< cosine to the way up from which on a wall is upright
 
 /// A lid that closes a rim: a fan from the middle of its vertices. Lengths are scaled.
 struct Lid
@@ -34,6 +39,8 @@ struct Lid
   double volume = 0;                              ///< of the cones from the origin over it
   double volumeToBase = 0;                        ///< between them, less than 0 if it faces away
   double depth = 0;                               ///< distance of its middle from the base
+  double rise = 0; ///< mean cosine between the faces that leave its rim and the way up
+  std::size_t piece = 0;
   bool isInBase = true;
 
   double along(const Plane& base) const { return area.dot(base.normal); }
@@ -75,44 +82,51 @@ Lid lidOf(const BoundaryLoop& rim, const Surface& surface, const Plane& base, do
   return lid;
 }
 
-/// Returns whether the faces of a surface look inward: the lids next to the base say so, and walls
-/// from them make a larger solid than walls from others would. If there are no others, a surface
-/// that looks outward is a cup. Walls end at the lowest vertex here, wherever the base is.
-bool looksInward(const std::vector<Lid>& lids, const Surface& surface, const Plane& base)
+/// What decides whether the faces of a surface, or of a piece of it, look inward. Lengths are scaled.
+struct Faces
 {
-  constexpr double nextToBase = 0.1, leastShare = 0.01, leastVolume = 0.04;
-  constexpr double rounding = 1e-9; // orders of triangles decide nothing
-  const double scale = unitScale(surface.bounds);
-  const Eigen::Vector3d origin = surface.bounds.center();
-  double volume = 0, area = 0;
+  double volume = 0; ///< of the cones from the origin over them
+  double area = 0;
   Bounds depths;
-  for (const Triangle& t : surface.triangles)
+  std::vector<Lid> lids;
+
+  /// Returns whether the faces look inward: the lids next to the base say so, and walls from them
+  /// make a larger solid than walls from others would. If there are no others, a surface that looks
+  /// outward is a cup. Walls end at the lowest vertex here, wherever the base is.
+  bool lookInward(const Plane& base) const;
+
+  /// Returns whether the rims make walls: another one is of the size of the largest, nearly.
+  bool areWalls() const
   {
-    const Eigen::Vector3d a = (surface.vertices[t[0]] - origin) * scale;
-    const Eigen::Vector3d b = (surface.vertices[t[1]] - origin) * scale - a;
-    const Eigen::Vector3d c = (surface.vertices[t[2]] - origin) * scale - a;
-    volume += a.dot(b.cross(c)) / 6;
-    area += b.cross(c).norm() / 2;
-    for (const std::int32_t vertex : t)
+    double largest = 0;
+    for (const Lid& lid : lids)
     {
-      depths.extend(Eigen::Vector3d::Constant(-base.height(surface.vertices[vertex]) * scale));
+      largest = std::max(largest, lid.area.norm());
     }
+    return std::count_if(lids.begin(), lids.end(),
+             [largest](const Lid& lid) { return lid.area.norm() >= leastShare * largest; }) > 1;
   }
-  double largest = 0, nearest = std::numeric_limits<double>::infinity();
+};
+
+bool Faces::lookInward(const Plane& base) const
+{
+  constexpr double leastLid = 0.01, leastVolume = 0.04;
+  constexpr double rounding = 1e-9; // orders of triangles decide nothing
+  double closed = volume, largest = 0, nearest = std::numeric_limits<double>::infinity();
   for (const Lid& lid : lids)
   {
-    volume += lid.volume;
+    closed += lid.volume;
     largest = std::max(largest, std::abs(lid.along(base)));
   }
   const auto isLarge = [&](const Lid& lid)
   {
-    return std::abs(lid.along(base)) >= leastShare * largest;
+    return std::abs(lid.along(base)) >= leastLid * largest;
   };
   for (const Lid& lid : lids)
   {
     nearest = isLarge(lid) ? std::min(nearest, lid.depth) : nearest;
   }
-  double along = 0, most = 0, ofOutward = volume, ofInward = -volume;
+  double along = 0, most = 0, ofOutward = closed, ofInward = -closed;
   bool isOutwardOpen = false;
   for (const Lid& lid : lids)
   {
@@ -129,26 +143,138 @@ bool looksInward(const std::vector<Lid>& lids, const Surface& surface, const Pla
   return along < -rounding * most && ofOutward < least - rounding * size;
 }
 
+/// Returns by rim the mean cosine between the faces that leave it and the way up.
+std::vector<double> risesOf(const BoundaryLoops& rims, const Surface& surface, const Plane& base)
+{
+  struct Edge
+  {
+    std::array<std::int32_t, 2> ends;
+    double rise = 1;
+    bool operator<(const Edge& other) const { return ends < other.ends; }
+  };
+  std::vector<Edge> edges;
+  std::vector<char> isOnRim(surface.vertices.size(), 0);
+  const auto endsOf = [](const BoundaryLoop& rim, std::size_t i)
+  {
+    return std::array<std::int32_t, 2>{rim[i], rim[i + 1 < rim.size() ? i + 1 : 0]};
+  };
+  for (std::size_t rim = 0; rim < rims.size(); ++rim)
+  {
+    for (std::size_t i = 0; i < rims[rim].size(); ++i)
+    {
+      edges.push_back({endsOf(rims[rim], i)});
+      isOnRim[std::size_t(rims[rim][i])] = 1;
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  const double scale = unitScale(surface.bounds);
+  for (const Triangle& t : surface.triangles)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::int32_t from = t[i], to = t[(i + 1) % 3];
+      if (!isOnRim[std::size_t(from)] || !isOnRim[std::size_t(to)])
+      {
+        continue;
+      }
+      const auto edge = std::lower_bound(edges.begin(), edges.end(), Edge{{from, to}});
+      if (edge != edges.end() && edge->ends == std::array<std::int32_t, 2>{from, to})
+      {
+        const Eigen::Vector3d &a = surface.vertices[from], &b = surface.vertices[to];
+        const Eigen::Vector3d along = ((b - a) * scale).normalized();
+        const Eigen::Vector3d side = (surface.vertices[t[(i + 2) % 3]] - a) * scale;
+        const Eigen::Vector3d across = (side - side.dot(along) * along).normalized();
+        edge->rise = std::min(edge->rise, -across.dot(base.normal)); // whatever the order
+      }
+    }
+  }
+  std::vector<double> rises;
+  for (std::size_t rim = 0; rim < rims.size(); ++rim)
+  {
+    double sum = 0, length = 0;
+    for (std::size_t i = 0; i < rims[rim].size(); ++i)
+    {
+      const std::array<std::int32_t, 2> ends = endsOf(rims[rim], i);
+      const double ofEdge =
+        ((surface.vertices[ends[1]] - surface.vertices[ends[0]]) * scale).norm();
+      sum += ofEdge * std::lower_bound(edges.begin(), edges.end(), Edge{ends})->rise;
+      length += ofEdge;
+    }
+    rises.push_back(sum / length);
+  }
+  return rises;
+}
+
 /// Returns by rim whether the base closes it.
 std::vector<char> rimsToClose(const BoundaryLoops& rims, const Surface& surface, const Plane& base)
 {
-  constexpr double leastShare = 0.1;
-  std::vector<Lid> lids;
+  const double scale = unitScale(surface.bounds);
+  const Eigen::Vector3d origin = surface.bounds.center();
+  VertexPieces connected(surface);
+  std::vector<Faces> pieces;
+  std::vector<std::int32_t> pieceOf(surface.vertices.size(), -1); // by root, of those with rims
+  Faces all;
+  const std::vector<double> rises = risesOf(rims, surface, base);
   for (std::size_t i = 0; i < rims.size(); ++i)
   {
-    lids.push_back(lidOf(rims[i], surface, base, unitScale(surface.bounds)));
+    std::int32_t& piece = pieceOf[std::size_t(connected.sets.find(rims[i][0]))];
+    if (piece < 0)
+    {
+      piece = static_cast<std::int32_t>(pieces.size());
+      pieces.emplace_back();
+    }
+    Lid lid = lidOf(rims[i], surface, base, scale);
+    lid.rise = rises[i];
+    lid.piece = static_cast<std::size_t>(piece);
+    all.lids.push_back(lid);
+    pieces[lid.piece].lids.push_back(lid);
   }
-  const double side = looksInward(lids, surface, base) ? -1 : 1;
+  for (const Triangle& t : surface.triangles)
+  {
+    const Eigen::Vector3d a = (surface.vertices[t[0]] - origin) * scale;
+    const Eigen::Vector3d b = (surface.vertices[t[1]] - origin) * scale - a;
+    const Eigen::Vector3d c = (surface.vertices[t[2]] - origin) * scale - a;
+    const std::int32_t piece = pieceOf[std::size_t(connected.sets.find(t[0]))];
+    for (Faces* const faces : {&all, piece < 0 ? nullptr : &pieces[std::size_t(piece)]})
+    {
+      if (faces)
+      {
+        faces->volume += a.dot(b.cross(c)) / 6;
+        faces->area += b.cross(c).norm() / 2;
+        for (const std::int32_t vertex : t)
+        {
+          faces->depths.extend(
+            Eigen::Vector3d::Constant(-base.height(surface.vertices[vertex]) * scale));
+        }
+      }
+    }
+  }
+  const bool isInward = all.lookInward(base);
+  std::vector<double> sides;
+  std::vector<char> areWalls;
+  for (const Faces& piece : pieces)
+  {
+    areWalls.push_back(static_cast<char>(piece.areWalls()));
+    sides.push_back((areWalls.back() ? piece.lookInward(base) : isInward) ? -1 : 1);
+  }
+  const auto facesBase = [&](const Lid& lid)
+  {
+    const bool hangs = lid.rise <= -steepest && areWalls[lid.piece];
+    return lid.facesBase(base, sides[lid.piece]) && !hangs;
+  };
   double most = 0;
-  for (const Lid& lid : lids)
+  for (const Lid& lid : all.lids)
   {
-    most = std::max(most, lid.facesBase(base, side) ? side * lid.along(base) : 0);
+    most = std::max(most, facesBase(lid) ? std::abs(lid.along(base)) : 0);
   }
+  const double low = all.depths.min()[0] + nextToBase * all.depths.sizes()[0];
   std::vector<char> isClosed;
-  for (const Lid& lid : lids)
+  for (const Lid& lid : all.lids)
   {
-    const bool isLarge = side * lid.along(base) >= leastShare * most;
-    isClosed.push_back(static_cast<char>((lid.facesBase(base, side) && isLarge) || lid.isInBase));
+    const bool isLarge = std::abs(lid.along(base)) >= leastShare * most;
+    const bool endsBore = lid.rise >= steepest && lid.facesBase(base, -sides[lid.piece]) &&
+                          (isLarge || lid.depth <= low);
+    isClosed.push_back(static_cast<char>((facesBase(lid) && isLarge) || endsBore || lid.isInBase));
   }
   return isClosed;
 }

@@ -32,13 +32,18 @@ std::vector<Message> notesOn(const BasedOpenings& openings);
  *
  * Openings are closed that face the base: the vector area of their lid (½ ∑ p × q) is within 60° of
  * its normal, and a tenth or more of the largest one's that faces it. So holes in a roof, beneath a
- * chin, or at the top of a vase stay what they are. Rims that lie in the base, up to a millionth of
- * the bounds, are closed, too. From 20 000 edges on the cap of the base is any that has its rims
- * (Cap.h).
+ * chin, or at the top of a vase stay what they are. From 20 000 edges on the cap of the base is any
+ * that has its rims (Cap.h).
+ *
+ * Bores stay open: their lower rims are closed, too, which face away from the base. Faces rise from
+ * these within 45° of upright, and they are as large, or within a tenth of the height from the
+ * lowest vertex. Rims that faces hang from as steeply are left where their piece has others of a
+ * tenth of the largest. Rims that lie in the base, up to a millionth of the bounds, are closed.
  *
  * Faces count as outward. They count as inward if the openings next to the base say so, within a
  * tenth of the surface's height, and walls from there make the larger solid. Openings of less than
- * a hundredth of the largest say nothing.
+ * a hundredth of the largest say nothing. Connected pieces with two large rims or more are judged
+ * by themselves, as the inner wall of a ring is, others with all of the surface.
  *
  * Guaranteed: the base depends on the set of triangles, not on the order of these or of vertices.
  */

@@ -564,6 +564,7 @@ TEST(FlatBase, TakesTheSenseOfFacesFromOpeningsNextToIt)
   const Mesh crater = lathe({{0.2, 0}, {1.5, 0.5}, {2, 1}, {4, 0.2}}, 24).reversed();
   FieldOptions options;
   options.flatBase = "z=-1";
+  EXPECT_EQ(fieldOf(crater, options)->info().netBoundaryEdges, 24u) << "the lake is left";
   const std::vector<double> values =
     valuesAt(*fieldOf(crater, options), {{1.5, 0, 0}, {3.8, 0, -0.9}, {1, 0, 1}, {4.2, 0, 0}});
   EXPECT_GT(values[0], 0.9);
@@ -674,6 +675,47 @@ TEST(FlatBase, ClosesRingsInTheirPlane)
   const std::vector<double> distances =
     field->distances(winding::VectorsView(middle[0].data(), 1), serial);
   EXPECT_NEAR(distances[0], 0.6, 0.01);
+}
+
+TEST(FlatBase, KeepsBoresOpen)
+{
+  SCOPED_TRACE("seed 73");
+  Random random(73);
+  for (int trial = 0; trial < 400; ++trial)
+  {
+    // An inner wall that may end above the base. In half of the trials a roof joins it to the outer
+    // wall, and all may look inward.
+    const double end = trial % 3 == 0 ? 0 : random(0, 0.3);
+    std::vector<std::array<double, 2>> outer, inner;
+    for (int i = 0; i <= 3; ++i)
+    {
+      outer.push_back({random(1.5, 2), i / 3.0});
+      inner.push_back({random(0.85, 1), end + (1 - end) * i / 3});
+    }
+    Mesh ring = lathe(outer, 24).with(lathe(inner, 24).reversed());
+    const bool hasRoof = trial % 2 == 0;
+    if (hasRoof)
+    {
+      std::reverse(inner.begin(), inner.end());
+      outer.insert(outer.end(), inner.begin(), inner.end());
+      ring = lathe(outer, 24);
+    }
+    const bool isInward = random.bits() % 2 == 0;
+    const Motion motion = Motion::random(random);
+    FieldOptions options;
+    options.flatBase =
+      trial % 5 == 0 ? motion.plane({0, 0, 1}, -0.25) : motion.direction({0, 0, -1});
+    const auto field =
+      fieldOf(shuffled(isInward ? ring.reversed() : ring, random).mapped(motion), options);
+    EXPECT_EQ(field->info().netBoundaryEdges, hasRoof ? 0u : 48u) << trial;
+    EXPECT_EQ(field->info().warnings.size(), hasRoof ? 0u : 1u) << trial;
+    const double sense = isInward ? -1 : 1;
+    const std::vector<double> values =
+      valuesAt(*field, {motion({1.25, 0, 0.1}), motion({0.01, 0.02, 0.1}), motion({0, 0.3, 0.05})});
+    EXPECT_GT(sense * values[0], 0.6) << trial;
+    EXPECT_LT(sense * values[1], 0.1) << trial;
+    EXPECT_LT(sense * values[2], 0.1) << trial;
+  }
 }
 
 TEST(FlatBase, RefusesOtherTexts)
