@@ -135,25 +135,46 @@ void orientFaces(const Mesh& mesh)
   orient(surface, {}, serial);
 }
 
-/// A tetrahedron around all of a mesh.
+/// A tetrahedron around all of a mesh, or a smaller one that is like it.
 class OneCell final : public CellShapes
 {
 public:
+  explicit OneCell(double size)
+    : size_(size)
+  {
+  }
   std::size_t size() const override { return 1; }
   void get(std::size_t, CellShape& shape) const override
   {
     constexpr int tetrahedron = 10;
     shape.points = {{-4, -4, -4}, {8, -4, -4}, {-4, 8, -4}, {-4, -4, 8}};
+    for (Point& point : shape.points)
+    {
+      point *= size_;
+    }
     shape.addLinearFaces(tetrahedron);
   }
+
+private:
+  double size_;
 };
 
-void fractions(const Mesh& mesh)
+void fractionsIn(const Mesh& mesh, double size)
 {
   SerialExecutor serial;
   const auto field = Field::build(viewsOf(mesh), FieldOptions(), serial);
   float fraction = 0;
-  evaluateFractions(*field, OneCell(), InsideRule::signedThreshold, 0.5, &fraction, serial);
+  evaluateFractions(*field, OneCell(size), InsideRule::signedThreshold, 0.5, &fraction, serial);
+}
+
+void fractions(const Mesh& mesh)
+{
+  fractionsIn(mesh, 1);
+}
+
+void fractionsInside(const Mesh& mesh)
+{
+  fractionsIn(mesh, 0.2);
 }
 
 struct Growing
@@ -170,7 +191,8 @@ constexpr Growing growing[] = {{"report on a star", star, report, 3000},
   {"report on boxes in boxes", nestedBoxes, report, 6000},
   {"orientation of boxes in boxes", nestedBoxes, orientFaces, 6000},
   {"orientation of pages", pages, orientFaces, 15'000},
-  {"fractions of large triangles", largeTriangles, fractions, 600}};
+  {"fractions of large triangles", largeTriangles, fractions, 600},
+  {"fractions among large triangles", largeTriangles, fractionsInside, 600}};
 
 /// A bowl with a rim of so many edges in z = 0.
 Mesh bowl(int edges)

@@ -360,15 +360,18 @@ private:
       if (ofCone != 0)
       {
         volume += ofCone;
-        inside += ofCone * work.share.of(corners, work.moved, windings_[number]);
+        inside += ofCone * work.share.of(corners, work.moved, windings_[number], work.cell.cones());
       }
     }
     return shareOf(inside, volume);
   }
 
-  /// Returns the share of a part that triangles meet, w at its apex being known.
-  double shareOfPart(const CellPart& part, double winding, const LocalCell& cell, Work& work) const
+  /// Returns the share of a part that triangles meet, w at its apex being known. It is one of the
+  /// parts of its cell that `division` divisions make.
+  double shareOfPart(
+    const CellPart& part, double winding, const LocalCell& cell, int division, Work& work) const
   {
+    const std::size_t cones = (4 * cell.cones()) << (3 * division);
     this->setTriangles(cell, boxOf(part, cell), work.triangles);
     const Eigen::Vector3d apex = part.apex();
     move(work.triangles, apex, work.moved);
@@ -384,7 +387,7 @@ private:
       if (ofCone > 0)
       {
         volume += ofCone;
-        inside += ofCone * work.share.of(corners, work.moved, winding);
+        inside += ofCone * work.share.of(corners, work.moved, winding, cones);
       }
     }
     return volume > 0 ? inside / volume : 0;
@@ -406,7 +409,7 @@ private:
     for (int division = 0; !parts.empty(); ++division)
     {
       std::vector<double> shares(parts.size());
-      this->findShares(locals, parts, division == divisions, shares);
+      this->findShares(locals, parts, division, shares);
       next.clear();
       for (std::size_t i = 0; i < parts.size(); ++i)
       {
@@ -427,8 +430,9 @@ private:
     }
   }
 
-  /// Sets the shares of parts, NaN for those to be divided further; `isLast` leaves none of these.
-  void findShares(const std::vector<LocalCell>& locals, std::vector<CellPart>& parts, bool isLast,
+  /// Sets the shares of parts, NaN for those to be divided further; the last division leaves none
+  /// of these.
+  void findShares(const std::vector<LocalCell>& locals, std::vector<CellPart>& parts, int division,
     std::vector<double>& shares)
   {
     forEachItem(
@@ -460,7 +464,8 @@ private:
       firsts.push_back(first);
       first += part.state == CellState::clear ? 5 : 1;
     }
-    constexpr std::size_t partsPerBlock = 512;
+    // Few parts may have many triangles each, and an interrupt is seen between blocks.
+    const std::size_t partsPerBlock = std::clamp<std::size_t>(parts.size() / 256, 1, 512);
     runBlocks(
       parts.size(), partsPerBlock,
       [&](std::size_t, std::size_t begin, std::size_t end)
@@ -473,10 +478,10 @@ private:
           const bool isNear = state == CellState::onRim ||
                               (state == CellState::touched ? this->isNearLimit(ofPart[0], true)
                                                            : this->mayPass(ofPart));
-          shares[i] = isNear && !isLast ? std::numeric_limits<double>::quiet_NaN()
-                      : state == CellState::clear
-                        ? this->linearShare(ofPart)
-                        : this->shareOfPart(parts[i], ofPart[0], locals[parts[i].cell], work);
+          shares[i] = isNear && division < divisions ? std::numeric_limits<double>::quiet_NaN()
+                      : state == CellState::clear    ? this->linearShare(ofPart)
+                                                     : this->shareOfPart(parts[i], ofPart[0],
+                                                         locals[parts[i].cell], division, work);
         }
       },
       executor_);

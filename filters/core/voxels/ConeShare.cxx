@@ -31,11 +31,11 @@ constexpr double leastDifference = 1e-12;
 
 /// Returns the work that a cone may take, in comparisons of boxes. Meshes of 86 000 triangles in a
 /// cell take 600 for each polygon, the more the finer they are, and random solids 900 at most.
-double mostWork(std::size_t polygons)
+double mostWork(std::size_t polygons, double portion)
 {
   constexpr double least = 3e6, perPolygon = 1024, perFineness = 32;
   const auto count = static_cast<double>(polygons);
-  return least + count * (perPolygon + perFineness * std::sqrt(count));
+  return portion * least + count * (perPolygon + perFineness * std::sqrt(count));
 }
 
 double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
@@ -130,9 +130,11 @@ template <class Polygon> bool isSeparated(const Polygon& sides, const Polygon& o
 
 } // namespace
 
-double ConeShare::of(
-  const Eigen::Matrix3d& corners, const std::vector<ConeTriangle>& triangles, double winding)
+double ConeShare::of(const Eigen::Matrix3d& corners, const std::vector<ConeTriangle>& triangles,
+  double winding, std::size_t cones)
 {
+  constexpr double fewCones = 16; // of a cell that is not divided
+  const double portion = std::min(1.0, fewCones / static_cast<double>(cones));
   polygons_.clear();
   lostEdges_.clear();
   const Eigen::Matrix3d weights = corners.inverse();
@@ -142,14 +144,14 @@ double ConeShare::of(
     this->add(triangle, weights, isInverted);
   }
   std::sort(lostEdges_.begin(), lostEdges_.end());
-  left_ = mostWork(polygons_.size());
+  left_ = mostWork(polygons_.size(), portion);
   this->findPairs();
   double share = this->isInsideAt(winding) ? 1 : 0;
   for (std::size_t i = 0; left_ > 0 && i < polygons_.size(); ++i)
   {
     share += this->change(i, winding);
   }
-  return left_ > 0 ? share : this->meanOverRays(winding);
+  return left_ > 0 ? share : this->meanOverRays(winding, portion);
 }
 
 /// Cuts a triangle off at the four sides of the cone.
@@ -479,11 +481,12 @@ bool ConeShare::isMet(const Polygon& polygon, const Eigen::Vector3d& direction)
 
 /// Returns the mean share of rays to points of the face that fill it evenly, the more the fewer
 /// polygons there are.
-double ConeShare::meanOverRays(double winding) const
+double ConeShare::meanOverRays(double winding, double portion) const
 {
-  constexpr double tests = 4e6, fewest = 256, most = 4096;
+  constexpr double tests = 4e6, fewest = 256, fewestOfPart = 16, most = 4096;
   const double count =
-    std::clamp(std::floor(tests / static_cast<double>(polygons_.size())), fewest, most);
+    std::clamp(std::floor(portion * tests / static_cast<double>(polygons_.size())),
+      std::max(fewestOfPart, std::floor(portion * fewest)), most);
   std::vector<std::pair<double, int>> met; // inverse depths and steps
   double sum = 0;
   for (double n = 0; n < count; ++n)

@@ -754,6 +754,27 @@ TEST(CellFractions, OfTanglesAreMeansOverRays)
   }
 }
 
+TEST(CellFractions, CanBeInterruptedWithinAnOpenCell)
+{
+  class LargestRun final : public winding::Executor
+  {
+  public:
+    void run(std::size_t count, const std::function<void(std::size_t)>& work) override
+    {
+      blocks = std::max(blocks, count);
+      winding::SerialExecutor().run(count, work);
+    }
+    std::size_t blocks = 0;
+  };
+  CellList cell;
+  cell.add(tetra, {{-1, -1, -1}, {3, -1, -1}, {-1, 3, -1}, {-1, -1, 3}});
+  float found = 0;
+  LargestRun executor;
+  winding::evaluateFractions(
+    *fieldOf(triangleSoup(300, 5)), cell, InsideRule::signedThreshold, 0.5, &found, executor);
+  EXPECT_GE(executor.blocks, 200u); // an interrupt is seen between blocks
+}
+
 TEST(CellFractions, CanBeInterrupted)
 {
   const auto field = fieldOf(icosphere(2));
