@@ -107,10 +107,11 @@ _fields: weakref.WeakSet[Field] = weakref.WeakSet()
 
 
 def _renew_locks():
-    """Gives all fields new locks: in a child of fork() nobody gives back what another thread of its
-    parent held."""
-    for field in _fields:
-        field._lock = threading.RLock()
+    """Gives fields new locks, one for all that share what is built: in a child of fork() nobody
+    gives back what another thread of its parent held."""
+    locks: dict[int, Any] = {}  # by the identity of what is shared, which fields keep alive
+    for field in list(_fields):
+        field._lock = locks.setdefault(id(field._handles), threading.RLock())
 
 
 if hasattr(os, "register_at_fork"):
@@ -410,7 +411,7 @@ class Field:
             raise ValueError(
                 f"offsets must have the shape ({len(kinds) + 1},), not {starts.shape}: it has one "
                 "more than types")
-        if kinds.size and (starts[0] < 0 or starts[-1] > len(ids) or (np.diff(starts) < 0).any()):
+        if kinds.size and (starts[0] != 0 or starts[-1] > len(ids) or (np.diff(starts) < 0).any()):
             raise ValueError(f"offsets must ascend from 0 to {len(ids)}, the length of corners")
         return self._fractions(places, kinds.astype(np.uint8), ids.astype(np.int64), starts,
                                self._sides())

@@ -252,7 +252,8 @@ class FunctionsTest(unittest.TestCase):
         for kind in (-1, 256, 300):
             with self.assertRaisesRegex(ValueError, "types must be 0 to 255"):
                 field.fractions(places, [kind], [0, 1, 2, 3], [0, 4])
-        for offsets in ([], [0], [0, 4, 4], [-1, 4], [0, 5], [4, 0], np.array([4, 0], "u8")):
+        for offsets in ([], [0], [0, 4, 4], [-1, 4], [1, 4], [0, 5], [4, 0],
+                        np.array([4, 0], "u8")):
             with self.subTest(offsets=offsets), self.assertRaisesRegex(ValueError, "^offsets must"):
                 field.fractions(places, [10], [0, 1, 2, 3], offsets)
         with self.assertRaisesRegex(ValueError, "^offsets must ascend"):

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Data objects of VTK as sources of the library, and parts of them: the same as by the filters."""
 
+import os
+import threading
 import unittest
 import warnings
 
@@ -287,6 +289,22 @@ class SourcesTest(unittest.TestCase):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             _sources.source_of(grid)
+
+    @unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
+    def test_sharers_build_once_in_children_of_fork(self):
+        first, second, alone = field_of(ball()), field_of(ball()), field_of(ball())
+        second.share(first)
+        child = os.fork()
+        if child == 0:
+            with first._lock:
+                free = []
+                for field in (second, alone):
+                    thread = threading.Thread(
+                        target=lambda lock=field._lock: free.append(lock.acquire(timeout=1)))
+                    thread.start()
+                    thread.join()
+            os._exit(0 if free == [False, True] else 3)
+        self.assertEqual(os.waitpid(child, 0)[1], 0)
 
     def test_what_is_left_out_is_noted(self):
         notes = _sources.source_of(mixed()).notes
