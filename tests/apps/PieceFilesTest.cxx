@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -456,6 +457,35 @@ TEST_F(PieceFiles, ThatAreDamagedOrOfNewerFormatsAreRefused)
   }
   folder.write("b.glb", gltfOf(""));
   this->expectRefused("b.glb", "give it the suffix .gltf");
+}
+
+TEST_F(PieceFiles, AreFoundInGltfBehindLongData)
+{
+  folder.write("a.bin", cubeBuffer());
+  // Data in the text is no name, and neither it nor nested brackets hide the names behind.
+  nlohmann::json file = nlohmann::json::parse(gltfOf(R"(,"uri":"a.bin")"));
+  std::filesystem::rename(folder.path("a.bin"), folder.path("a.stl"));
+  file["buffers"][0]["uri"] = "a.stl";
+  file["asset"]["extras"] = nlohmann::json::parse(std::string(500, '[') + std::string(500, ']'));
+  file["buffers"].push_back({{"byteLength", 3000000},
+    {"uri", "data:application/octet-stream;base64," + std::string(4000000, 'A')}});
+  std::swap(file["buffers"][0], file["buffers"][1]);
+  for (const int view : {0, 1})
+  {
+    file["bufferViews"][view]["buffer"] = 1;
+  }
+  for (const std::string start : {"", " \n", "\xEF\xBB\xBF"})
+  {
+    const std::string in = folder.write("a.gltf", start + file.dump());
+    const Outcome run = runProgram({"surface", in, "-o", folder.path("a.stl")});
+    EXPECT_TRUE(run.saysInOneLine({"is the input", "or say --overwrite"})) << run;
+  }
+  // Files that do not begin like glTF are not parsed, which takes 0.1 s and not 5 s.
+  folder.write("a.gltf", std::string(30000000, '['));
+  const auto begin = std::chrono::steady_clock::now();
+  this->expectRefused("a.gltf", "does not begin like JSON");
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+  EXPECT_LT(time.count(), 3);
 }
 
 } // namespace

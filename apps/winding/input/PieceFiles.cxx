@@ -4,6 +4,7 @@
 
 #include "files/Formats.h"
 #include "files/Text.h"
+#include "input/GltfUris.h"
 #include "input/ImageHeader.h"
 #include "program/Failure.h"
 
@@ -11,11 +12,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkXMLParser.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -63,54 +60,15 @@ Names namesInIndex(const std::string& fileName)
   return parser->names;
 }
 
-/// Moves `file` to the JSON of glTF, which a header precedes in binary files. Returns the number of
-/// its bytes.
-std::size_t findJson(std::ifstream& file, std::size_t size)
-{
-  char header[20] = {};
-  file.read(header, sizeof header);
-  if (std::string_view(header, 4) == "glTF")
-  {
-    std::uint32_t length = 0;
-    std::memcpy(&length, header + 12, sizeof length);
-    return std::min<std::size_t>(length, size - std::min(size, sizeof header));
-  }
-  file.clear();
-  file.seekg(0);
-  return size;
-}
-
 /// Returns the names of external files in glTF. tinygltf reads a plus sign as a blank.
 Names namesInGltf(const std::string& fileName)
 {
-  using Json = nlohmann::json;
-  std::ifstream file(fileName, std::ios::binary);
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(fileName, error);
-  std::string text(error ? 0 : findJson(file, size), '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  Names names;
-  std::string table, key; // the last names of values in the file and in the table's objects
-  const auto take = [&](int depth, Json::parse_event_t event, Json& parsed)
+  Names names = urisInGltf(fileName);
+  for (std::string& name : names)
   {
-    if (event == Json::parse_event_t::key && (depth == 1 || depth == 3))
-    {
-      (depth == 1 ? table : key) = parsed.get<std::string>();
-    }
-    const bool isValue = event == Json::parse_event_t::value;
-    if (isValue && depth == 3 && key == "uri" && (table == "buffers" || table == "images") &&
-        parsed.is_string())
-    {
-      std::string name = parsed.get<std::string>();
-      std::replace(name.begin(), name.end(), '+', ' ');
-      if (!startsWith(name, "data:"))
-      {
-        names.push_back(withoutPercentCodes(name));
-      }
-    }
-    return !isValue; // nothing else is kept
-  };
-  Json::parse(text, take, false);
+    std::replace(name.begin(), name.end(), '+', ' ');
+    name = withoutPercentCodes(name);
+  }
   return names;
 }
 
