@@ -459,6 +459,46 @@ TEST_F(PieceFiles, ThatAreDamagedOrOfNewerFormatsAreRefused)
   this->expectRefused("b.glb", "give it the suffix .gltf");
 }
 
+TEST_F(PieceFiles, ThatNameThemselvesByOtherSpellingsAreReadOnce)
+{
+  std::filesystem::create_directories(folder.path("f"));
+  std::filesystem::create_directory_symlink(".", folder.path("f/here"));
+  for (const char* const other : {"../f/self.vtm", "here/self.vtm", ".//self.vtm"})
+  {
+    folder.write("f/self.vtm", blocks("./self.vtm", other));
+    const Outcome run = runProgram({"check", folder.path("f/self.vtm")}, "timeout 30 ");
+    EXPECT_EQ(run.status, 2) << other << run;
+  }
+  // Links to one index in several folders name the parts in each.
+  folder.write("index.vtm", xmlFile("vtkMultiBlockDataSet", "<DataSet file='a.vtp'/>"));
+  for (const std::string name : {"0", "1"})
+  {
+    std::filesystem::create_directory(folder.path(name));
+    std::filesystem::create_symlink("../index.vtm", folder.path(name + "/index.vtm"));
+  }
+  folder.write("0/a.vtp", asVtp(sphere(2)));
+  folder.write("all.vtm", blocks("0/index.vtm", "1/index.vtm"));
+  this->expectRefused("all.vtm", "its part 1/a.vtp is not there");
+}
+
+TEST_F(PieceFiles, HaveLimits)
+{
+  for (int i = 0; i <= 100; ++i)
+  {
+    folder.write(std::to_string(i) + ".vtm",
+      xmlFile("vtkMultiBlockDataSet", "<DataSet file='" + std::to_string(i + 1) + ".vtm'/>"));
+  }
+  this->expectRefused("0.vtm", "has parts of parts, 101 deep");
+  this->expectRefused("1.vtm", "its part 101.vtm is not there");
+  std::string parts;
+  for (int i = 0; i <= 1000000; ++i)
+  {
+    parts += "<DataSet file='" + std::to_string(i) + "'/>";
+  }
+  folder.write("wide.vtm", xmlFile("vtkMultiBlockDataSet", parts));
+  this->expectRefused("wide.vtm", "has more than 1000000 parts");
+}
+
 TEST_F(PieceFiles, AreFoundInGltfBehindLongData)
 {
   folder.write("a.bin", cubeBuffer());

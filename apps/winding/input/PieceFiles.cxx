@@ -15,13 +15,17 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <set>
 #include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace
 {
 
 using Names = std::vector<std::string>;
+
+constexpr std::size_t mostParts = 1000000;
+constexpr int mostLevels = 100;
 
 /// Collects the names of files in an index of VTK's XML formats.
 class IndexParser : public vtkXMLParser
@@ -95,29 +99,69 @@ Names namesIn(const std::string& fileName)
   return isOneOf(".mha .mhd .nrrd .nhdr ") ? voxelFilesOf(fileName) : Names();
 }
 
+/// Knows files by their folder's place and their name there, however they are spelled. Links to
+/// files stay apart, as their parts lie next to the link.
+class KnownFiles
+{
+public:
+  /// Returns whether `file` is new.
+  bool add(const std::filesystem::path& file)
+  {
+    const std::filesystem::path folder = file.parent_path();
+    const auto [place, isNew] = placesOfFolders_.try_emplace(folder.string());
+    if (isNew)
+    {
+      std::error_code error;
+      const std::filesystem::path found =
+        std::filesystem::canonical(folder.empty() ? "." : folder, error);
+      place->second = error ? folder : found; // files in missing folders name no others
+    }
+    return files_.insert((place->second / file.filename()).string()).second;
+  }
+
+private:
+  std::unordered_map<std::string, std::filesystem::path> placesOfFolders_;
+  std::unordered_set<std::string> files_;
+};
+
 } // namespace
 
 std::vector<Piece> piecesOf(const std::string& fileName)
 {
   std::vector<Piece> pieces;
-  std::set<std::string> known = {fileName};
+  KnownFiles known;
+  known.add(fileName);
   const auto add = [&](const std::string& index)
   {
     const VtkFormat* const format = vtkFormatOf(suffixOf(index));
     const bool isRequired = format && suffixOf(index) != ".gltf" && suffixOf(index) != ".glb";
     for (const std::string& name : namesIn(index))
     {
-      const std::string piece = (std::filesystem::path(index).parent_path() / name).string();
-      if (known.insert(piece).second)
+      const std::filesystem::path piece = std::filesystem::path(index).parent_path() / name;
+      if (known.add(piece))
       {
-        pieces.push_back({piece, isRequired});
+        pieces.push_back({piece.string(), isRequired});
+      }
+      if (pieces.size() > mostParts)
+      {
+        throw Failure(EXIT_REFUSED, fileName,
+          "has more than " + std::to_string(mostParts) + " parts; give some of them");
       }
     }
   };
   add(fileName);
-  for (std::size_t i = 0; i < pieces.size(); ++i)
+  std::size_t done = 0;
+  for (int level = 1; done < pieces.size(); ++level)
   {
-    add(std::string(pieces[i].file));
+    if (level > mostLevels)
+    {
+      throw Failure(EXIT_REFUSED, fileName,
+        "has parts of parts, " + std::to_string(level) + " deep; give one that is less deep");
+    }
+    for (const std::size_t end = pieces.size(); done < end; ++done)
+    {
+      add(std::string(pieces[done].file));
+    }
   }
   return pieces;
 }

@@ -15,8 +15,9 @@ struct Piece
 /**
  * Returns the files that `fileName` names, and the files that these name: blocks and pieces of
  * VTK's indices, buffers and images of glTF, voxels of .mhd and .nhdr. Each is there once, whether
- * it exists or not. Files that cannot be read or parsed name nothing here: their readers refuse
- * them.
+ * it exists or not, and however its folder is spelled. Files that cannot be read or parsed name
+ * nothing here: their readers refuse them. Throws Failure for more than a million parts, and for
+ * parts that lie deeper than 100 levels.
  */
 std::vector<Piece> piecesOf(const std::string& fileName);
 
