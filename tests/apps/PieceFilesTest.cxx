@@ -520,6 +520,11 @@ TEST_F(PieceFiles, AreFoundInGltfBehindLongData)
     const Outcome run = runProgram({"surface", in, "-o", folder.path("a.stl")});
     EXPECT_TRUE(run.saysInOneLine({"is the input", "or say --overwrite"})) << run;
   }
+  // Codes have two hexadecimal digits.
+  folder.write("a%-1.stl", cubeBuffer());
+  const std::string coded = folder.write("coded.gltf", gltfOf(R"(,"uri":"a%-1.stl")"));
+  const Outcome run = runProgram({"surface", coded, "-o", folder.path("a%-1.stl")});
+  EXPECT_TRUE(run.saysInOneLine({"is the input", "or say --overwrite"})) << run;
   // Files that do not begin like glTF are not parsed, which takes 0.1 s and not 5 s.
   folder.write("a.gltf", std::string(30000000, '['));
   const auto begin = std::chrono::steady_clock::now();

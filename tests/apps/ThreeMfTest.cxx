@@ -364,12 +364,15 @@ TEST_F(ThreeMf, IsRefusedInOneLineWhereItIsDamaged)
     "is a component of itself");
   this->expectRefused(packageOf(modelOf(cube, item, R"(unit="cubit")")), "the unit 'cubit'");
   this->expectRefused(packageOf(modelOf(cube + cube, item)), "the id 1 twice of <object>");
-  for (const std::string number : {"0,5", "0x1", "", "a"})
+  for (const std::string number : {"0,5", "0x1", "", "a", "1e400"})
   {
     std::string text = modelOf(cube, item);
     text.replace(text.find("x=\"1\"") + 3, 1, number);
     this->expectRefused(packageOf(text), "'" + number + "' for x of <vertex>");
   }
+  std::string tiny = modelOf(cube, item);
+  tiny.replace(tiny.find("x=\"0\"") + 3, 1, "1e-400"); // 0, as rounding makes it
+  EXPECT_NEAR(this->check(packageOf(tiny))["volume"], 1, 1e-12);
   const std::string turned = R"(<item objectid="1" transform="1 0 0 0 1 0 0 0 1 )";
   this->expectRefused(
     packageOf(modelOf(cube, turned + "2 3\"/>")), "11 numbers, not 12, for transform of <item>");

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -47,6 +47,18 @@ std::string read(const std::string& fileName, std::size_t most)
       text.empty() ? "is empty; give another file" : "cannot be read to its end");
   }
   return text;
+}
+
+/// Reads a word that is one number.
+template <class Number> bool parse(std::string_view word, Number& value)
+{
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-')
+  {
+    word.remove_prefix(1); // from_chars() knows no plus sign
+  }
+  const char* const end = word.data() + word.size();
+  const auto result = std::from_chars(word.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end;
 }
 
 } // namespace
@@ -104,13 +116,19 @@ bool endsWith(std::string_view text, std::string_view end)
 
 bool parseInteger(std::string_view word, long long& value)
 {
-  if (word.size() > 1 && word[0] == '+' && word[1] != '-')
+  return parse(word, value);
+}
+
+bool parseNumber(std::string_view word, double& value)
+{
+  if (parse(word, value))
   {
-    word.remove_prefix(1); // from_chars() knows no plus sign
+    return true;
   }
-  const char* const end = word.data() + word.size();
-  const auto result = std::from_chars(word.data(), end, value);
-  return result.ec == std::errc() && result.ptr == end;
+  long double wide = 0; // its range says whether a number is too small
+  const bool isTiny = parse(word, wide) && std::abs(wide) < 1;
+  value = 0;
+  return isTiny;
 }
 
 std::string inSmallLetters(std::string_view text)
@@ -135,9 +153,9 @@ std::string withoutPercentCodes(const std::string& name)
   for (std::size_t i = 0; i < name.size(); ++i)
   {
     const std::string code = name[i] == '%' ? name.substr(i + 1, 2) : "";
-    char* end = nullptr;
-    const long letter = std::strtol(code.c_str(), &end, 16);
-    const bool isCode = code.size() == 2 && *end == '\0';
+    unsigned char letter = 0;
+    const char* const end = std::from_chars(code.data(), code.data() + code.size(), letter, 16).ptr;
+    const bool isCode = code.size() == 2 && end == code.data() + 2;
     result += isCode ? static_cast<char>(letter) : name[i];
     i += isCode ? 2 : 0;
   }

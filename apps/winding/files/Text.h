@@ -40,6 +40,10 @@ bool endsWith(std::string_view text, std::string_view end);
 /// Reads a word that is a whole number. False if it is none, or does not fit into the value.
 bool parseInteger(std::string_view word, long long& value);
 
+/// Reads a word that is a number, the same in every locale. False if it is none, or beyond the
+/// largest double. Numbers below the smallest one are 0.
+bool parseNumber(std::string_view word, double& value);
+
 /// Returns a text with small letters for capital ones, as far as ASCII has them.
 std::string inSmallLetters(std::string_view text);
 

@@ -10,8 +10,6 @@
 #include "vtkXMLParser.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cstdlib>
 #include <exception>
 #include <iterator>
 #include <string_view>
@@ -51,16 +49,12 @@ struct Element
   /// Reads the number that is all of a word, or refuses the file.
   double numberIn(std::string_view word, std::string_view attribute) const
   {
-    const std::string_view unsignedWord = startsWith(word, "+") ? word.substr(1) : word;
     double number = 0;
-    const char* const end = unsignedWord.data() + unsignedWord.size();
-    const auto [stop, error] = std::from_chars(unsignedWord.data(), end, number);
-    const bool isBeyond = error == std::errc::result_out_of_range; // too large, or too small
-    if (stop != end || (error != std::errc() && !isBeyond))
+    if (!parseNumber(word, number))
     {
       this->refuse("'" + std::string(word.substr(0, 30)) + "' for " + std::string(attribute));
     }
-    return isBeyond ? std::strtod(std::string(word).c_str(), nullptr) : number;
+    return number;
   }
 
   /// A whole number; -1 where there is none.

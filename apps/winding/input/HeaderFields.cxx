@@ -6,19 +6,13 @@
 #include "input/ImagePlace.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 double numberOf(std::string_view word, const std::string& key)
 {
-  if (word.size() > 1 && word[0] == '+' && word[1] != '-')
-  {
-    word.remove_prefix(1); // from_chars() knows no plus sign
-  }
   double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
+  if (!parseNumber(word, value) || !std::isfinite(value))
   {
     throw HeaderFault("its header has no number in '" + key + "'");
   }

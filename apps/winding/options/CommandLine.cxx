@@ -3,6 +3,7 @@
 #include "options/CommandLine.h"
 
 #include "files/Formats.h"
+#include "files/Text.h"
 #include "options/OptionChecks.h"
 #include "options/OptionGroups.h"
 #include "program/Failure.h"
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
-#include <cstdlib>
 
 namespace
 {
@@ -310,9 +310,8 @@ std::string wordsForNumber(const std::string& text)
   }
   const std::string option = text.substr(before.size(), at - before.size());
   const std::string word = text.substr(at + between.size());
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  const bool isNumber = end != word.c_str() && *end == '\0' && std::isfinite(value);
+  double value = 0;
+  const bool isNumber = parseNumber(word, value) && std::isfinite(value);
   const bool isLarge = isNumber && std::abs(value) > INT_MAX;
   return option + " is " + word + "; give " +
          (isLarge     ? "a smaller number"

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -321,7 +320,8 @@ void checkRanges(const CLI::App& command)
     const CLI::Option* option = command.get_option_no_throw(range.option);
     for (const std::string& word : option ? option->results() : std::vector<std::string>())
     {
-      const double value = std::strtod(word.c_str(), nullptr);
+      double value = 0;
+      CLI::detail::lexical_cast(word, value); // as the option itself is read
       requireUsage(value >= range.lowest && value <= range.highest && std::isfinite(value),
         std::string(range.option) + " is " + shown(value) + "; give " + inWords(range));
     }
