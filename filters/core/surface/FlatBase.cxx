@@ -82,7 +82,7 @@ Lid lidOf(const BoundaryLoop& rim, const Surface& surface, const Plane& base, do
   return lid;
 }
 
-/// What decides whether the faces of a surface, or of a piece of it, look inward. Lengths are scaled.
+/// The sums that say whether a surface, or a piece of it, looks inward. Lengths are scaled.
 struct Faces
 {
   double volume = 0; ///< of the cones from the origin over them

@@ -27,6 +27,15 @@ Bounds withImage(Bounds bounds, const Plane& plane)
   return bounds;
 }
 
+/// Returns whether two texts name the same plane: up to rounding, with either sign.
+bool areEqual(const Plane& a, const Plane& b)
+{
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  const double sign = a.normal.dot(b.normal) < 0 ? -1 : 1;
+  return (a.normal - sign * b.normal).norm() <= rounding &&
+         std::abs(a.offset - sign * b.offset) <= rounding * std::abs(a.offset);
+}
+
 } // namespace
 
 /// Returns the distance from a plane within which positions are their own images.
@@ -88,9 +97,21 @@ void Mirror::addImage(const Plane& plane, Surface& surface, PolygonParts& parts)
 }
 
 Mirror::Mirror(const std::string& text, double tolerance)
-  : planes_(planesIn(text, Parameter::mirror))
-  , tolerance_(tolerance)
+  : tolerance_(tolerance)
 {
+  for (const Plane& plane : planesIn(text, Parameter::mirror))
+  {
+    if (std::none_of(planes_.begin(), planes_.end(),
+          [&plane](const Plane& other) { return areEqual(plane, other); }))
+    {
+      planes_.push_back(plane);
+    }
+  }
+  constexpr std::size_t most = 3; // in a row each doubles the source
+  if (planes_.size() > most)
+  {
+    throw Refusal(Message(Parameter::mirror, "has more than three planes"));
+  }
   constexpr double mostSine = 1e-4; // normals may have five digits
   for (std::size_t i = 1; i < planes_.size(); ++i)
   {

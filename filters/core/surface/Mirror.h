@@ -31,7 +31,7 @@ class Mirror
 {
 public:
   /// Takes planes as planesIn() does. Vertices up to `tolerance` from a plane are their own images,
-  /// too. Throws Refusal for other texts, and for planes at other angles.
+  /// too. Throws Refusal for other texts, other angles, and more than three planes.
   explicit Mirror(const std::string& text, double tolerance = 0);
 
   bool isNone() const { return planes_.empty(); }

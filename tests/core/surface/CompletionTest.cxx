@@ -272,7 +272,7 @@ TEST(Mirror, IsRefusedForPlanesAtOtherAngles)
 {
   EXPECT_NO_THROW(winding::Mirror("x=0 y=0 z=0"));
   EXPECT_NO_THROW(winding::Mirror("1 1 0 = 3; 1 -1 0 = 5; z=2"));
-  for (const char* wrong : {"y=0; 1 1 0 = 0", "1 1 0 = 0; y=0",
+  for (const char* wrong : {"x=0 y=0 z=0 x=1", "y=0; 1 1 0 = 0", "1 1 0 = 0; y=0",
          "1 0 0 = 0; 1 1.7320508075688772 0 = 0", "y=0; 0.001 1 0 = 0", "x=0 y=0 z=0; 1 1 1 = 0"})
   {
     EXPECT_THROW(winding::Mirror{wrong}, winding::Refusal) << wrong;
@@ -288,7 +288,8 @@ TEST(Mirror, CountsAPlaneThatIsThereTwiceOnce)
     const Surface whole = mirrored(clean(quarterBox(3)), twice);
     EXPECT_EQ(whole.vertices, once.vertices) << twice;
   }
-  // What is the same depends on the size of the source.
+  EXPECT_EQ(winding::Mirror("x=0.3; 3 0 0 = 0.9; y=0; z=0").copies(), 8u);
+  // The size of the source decides how near is equal.
   EXPECT_NEAR(volumeOf(mirrored(clean(cube()), "x=0 x=1e-17")), 2, 1e-15);
 }
 
