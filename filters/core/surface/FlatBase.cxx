@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <vector>
@@ -31,6 +32,157 @@ constexpr double shareOfBounds = 1e-6; ///< of distances from the base that do n
 constexpr double leastShare = 0.1;     ///< of the largest rim that a rim must have
 constexpr double nextToBase = 0.1;     ///< share of the surface's height
 constexpr double steepest = 0.7071;    ///< cosine to the way up from which on a wall is upright
+
+/// Gives places of their own to rims that meet at a vertex, by numbers from the surface's vertices
+/// on: a rim goes on across the gap between two fans of triangles, the narrowest first. So no order
+/// decides. Returns the vertices of these numbers.
+std::vector<std::int32_t> separateRims(BoundaryEdges& chain, const Surface& surface)
+{
+  const std::size_t vertices = surface.vertices.size();
+  struct Meeting
+  {
+    std::vector<std::size_t> arriving, leaving; ///< edges of the chain
+    std::map<std::int32_t, std::int32_t> next;  ///< across a triangle, around the vertex
+  };
+  std::vector<std::uint8_t> leaving(vertices, 0);
+  std::map<std::int32_t, Meeting> meetings;
+  for (const BoundaryEdge& edge : chain)
+  {
+    std::uint8_t& count = leaving[std::size_t(edge.from)];
+    count = static_cast<std::uint8_t>(std::min(2, count + 1));
+    if (count == 2)
+    {
+      meetings[edge.from];
+    }
+  }
+  for (std::size_t i = 0; i < chain.size(); ++i)
+  {
+    if (leaving[std::size_t(chain[i].from)] == 2)
+    {
+      meetings[chain[i].from].leaving.push_back(i);
+    }
+    if (leaving[std::size_t(chain[i].to)] == 2)
+    {
+      meetings[chain[i].to].arriving.push_back(i);
+    }
+  }
+  for (const Triangle& t : surface.triangles)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      if (leaving[std::size_t(t[i])] == 2)
+      {
+        const std::int32_t on = t[(i + 1) % 3];
+        const auto [next, isNew] = meetings[t[i]].next.emplace(t[(i + 2) % 3], on);
+        next->second = isNew ? on : -1; // triangles on each other
+      }
+    }
+  }
+  std::vector<std::int32_t> places;
+  const BoundaryEdges before = chain;
+  for (const auto& [vertex, meeting] : meetings)
+  {
+    constexpr std::size_t most = 16; // pairs take time
+    const auto isOnce = [&before](std::size_t edge)
+    {
+      return before[edge].multiplicity == 1;
+    };
+    if (meeting.leaving.size() > most ||
+        !std::all_of(meeting.arriving.begin(), meeting.arriving.end(), isOnce) ||
+        !std::all_of(meeting.leaving.begin(), meeting.leaving.end(), isOnce))
+    {
+      continue;
+    }
+    struct Gap
+    {
+      bool isFan;
+      double cosine;
+      std::size_t arriving, leaving;
+    };
+    std::vector<Gap> gaps;
+    const Eigen::Vector3d at = surface.vertices[std::size_t(vertex)];
+    for (const std::size_t a : meeting.arriving)
+    {
+      const Eigen::Vector3d back = surface.vertices[std::size_t(before[a].from)] - at;
+      std::int32_t end = before[a].from;
+      for (std::size_t steps = 0; steps < meeting.next.size() && meeting.next.count(end); ++steps)
+      {
+        end = meeting.next.at(end);
+      }
+      for (const std::size_t b : meeting.leaving)
+      {
+        const Eigen::Vector3d on = surface.vertices[std::size_t(before[b].to)] - at;
+        gaps.push_back(
+          {before[b].to == end, back.stableNormalized().dot(on.stableNormalized()), a, b});
+      }
+    }
+    std::stable_sort(gaps.begin(), gaps.end(),
+      [](const Gap& a, const Gap& b)
+      { return a.isFan != b.isFan ? b.isFan : a.cosine > b.cosine; });
+    std::vector<std::size_t> taken;
+    const auto isTaken = [&taken](std::size_t edge)
+    {
+      return std::find(taken.begin(), taken.end(), edge) != taken.end();
+    };
+    for (const Gap& gap : gaps)
+    {
+      if (!isTaken(2 * gap.arriving) && !isTaken(2 * gap.leaving + 1))
+      {
+        taken.push_back(2 * gap.arriving);
+        taken.push_back(2 * gap.leaving + 1);
+        const auto place = static_cast<std::int32_t>(vertices + places.size());
+        chain[gap.arriving].to = place;
+        chain[gap.leaving].from = place;
+        places.push_back(vertex);
+      }
+    }
+  }
+  return places;
+}
+
+/// Returns the rims of a surface, in an order of coordinates: they make the same base whatever the
+/// order of vertices.
+BoundaryLoops rimsOf(const Surface& surface, Executor& executor)
+{
+  const std::size_t vertices = surface.vertices.size();
+  BoundaryEdges chain =
+    sortedByCoordinates(boundaryChain(surface, executor).edges, surface.vertices, executor);
+  const std::vector<std::int32_t> places = separateRims(chain, surface);
+  const BoundaryLoops walks = boundaryLoops(chain, vertices + places.size(), executor);
+  if (places.empty())
+  {
+    return walks;
+  }
+  BoundaryLoops rims;
+  std::vector<std::int32_t> path, placeInPath(vertices, -1);
+  for (std::size_t i = 0; i < walks.size(); ++i)
+  {
+    path.clear();
+    for (const std::int32_t place : walks[i])
+    {
+      const std::int32_t vertex =
+        std::size_t(place) < vertices ? place : places[std::size_t(place) - vertices];
+      if (std::int32_t& first = placeInPath[std::size_t(vertex)]; first >= 0)
+      {
+        const auto start = static_cast<std::size_t>(first);
+        rims.add({path.data() + start, path.data() + path.size()});
+        for (std::size_t n = start; n < path.size(); ++n)
+        {
+          placeInPath[std::size_t(path[n])] = -1;
+        }
+        path.resize(start);
+      }
+      placeInPath[std::size_t(vertex)] = static_cast<std::int32_t>(path.size());
+      path.push_back(vertex);
+    }
+    for (const std::int32_t vertex : path)
+    {
+      placeInPath[std::size_t(vertex)] = -1;
+    }
+    rims.add({path.data(), path.data() + path.size()});
+  }
+  return rims;
+}
 
 /// A lid that closes a rim: a fan from the middle of its vertices. Lengths are scaled.
 struct Lid
@@ -368,10 +520,7 @@ BasedOpenings FlatBase::addTo(Surface& surface, Executor& executor) const
   {
     return found;
   }
-  // Rims in an order of coordinates make the same base whatever the order of vertices.
-  const BoundaryEdges chain =
-    sortedByCoordinates(boundaryChain(surface, executor).edges, surface.vertices, executor);
-  const BoundaryLoops rims = boundaryLoops(chain, surface.vertices.size(), executor);
+  const BoundaryLoops rims = rimsOf(surface, executor);
   const Plane base = this->planeBelow(surface.vertices);
   const std::vector<char> isClosed = rimsToClose(rims, surface, base);
   const double reach = shareOfBounds * surface.bounds.sizes().maxCoeff();

@@ -40,6 +40,9 @@ std::vector<Message> notesOn(const BasedOpenings& openings);
  * lowest vertex. Rims that faces hang from as steeply are left where their piece has others of a
  * tenth of the largest. Rims that lie in the base, up to a millionth of the bounds, are closed.
  *
+ * Rims that meet at a vertex go on across the gap between triangles there, the narrowest one first.
+ * Where more than 16 meet, or edges count twice, an order of coordinates decides.
+ *
  * Faces count as outward. They count as inward if the openings next to the base say so, within a
  * tenth of the surface's height, and walls from there make the larger solid. Openings of less than
  * a hundredth of the largest say nothing. Connected pieces with two large rims or more are judged

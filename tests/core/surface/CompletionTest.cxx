@@ -719,6 +719,64 @@ TEST(FlatBase, KeepsBoresOpen)
   }
 }
 
+TEST(FlatBase, TakesSoupsWhereEdgesCountTwice)
+{
+  winding::SerialExecutor serial;
+  for (unsigned seed = 0; seed < 300; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Mesh soup;
+    for (int i = 0; i < 7; ++i)
+    {
+      soup.points.push_back(random.point(-1, 1));
+    }
+    for (int i = 0; i < 12; ++i)
+    {
+      const auto first = static_cast<std::int32_t>(random.bits() % 7);
+      const auto second = static_cast<std::int32_t>((first + 1 + random.bits() % 3) % 7);
+      soup.triangles.push_back({first, second, (first + 4 + int(random.bits() % 3)) % 7});
+    }
+    Surface surface = clean(soup.with(soup.part(0, random.bits() % 12)));
+    const std::size_t before = netBoundary(surface);
+    winding::FlatBase("down").addTo(surface, serial);
+    EXPECT_LE(netBoundary(surface), before);
+  }
+}
+
+TEST(FlatBase, TakesTheSameRimsInAllDirections)
+{
+  // Holes of one triangle, of which each touches both rims of a wall.
+  SCOPED_TRACE("seed 79");
+  Random random(79);
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    const int corners = 4 + static_cast<int>(random.bits() % 6);
+    Mesh wall =
+      lathe({{1, 0}, {1.2, 1}}, corners)
+        .mapped([&random](const Point& p) -> Point { return p + 0.05 * random.direction(); });
+    for (int holes = trial % 2; holes < 3; ++holes)
+    {
+      wall.triangles.erase(wall.triangles.begin() +
+                           static_cast<std::ptrdiff_t>(random.bits() % wall.triangles.size()));
+    }
+    const auto valuesIn = [&](const Motion& motion)
+    {
+      FieldOptions options;
+      options.method = winding::Method::direct;
+      options.flatBase = motion.direction({0, 0, -1});
+      return valuesAt(*fieldOf(shuffled(wall, random).mapped(motion), options),
+        {motion({0, 0, 0.06}), motion({0, 0, 0.5}), motion({0, 0, 0.9})});
+    };
+    const auto expected = valuesIn({Eigen::Matrix3d::Identity(), 1, Point(0, 0, 0)});
+    const auto found = valuesIn(Motion::random(random));
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      EXPECT_NEAR(found[i], expected[i], 1e-9) << trial;
+    }
+  }
+}
+
 TEST(FlatBase, RefusesOtherTexts)
 {
   for (const char* wrong : {"below", "z", "z=0 y=0", "direction 0 0 0"})
