@@ -54,20 +54,27 @@ CanonicalOrder inCanonicalOrder(const Surface& surface, const PolygonParts& part
     [](const auto& a, const auto& b)
     { return compareTriangles(a.first, b.first, compareNumbers) < 0; });
   result.numbers.reserve(surface.triangles.size());
+  const auto isContinued = [&](std::size_t i)
+  {
+    return !parts.empty() && i < surface.triangles.size() && parts[i] != 0;
+  };
   for (const auto& [lowest, first] : polygons)
   {
+    const bool isAlone = !isContinued(first + 1);
     std::size_t i = first;
     do
     {
       const auto [a, b, c] = surface.triangles[i];
-      result.surface.triangles.push_back({places[a], places[b], places[c]});
+      // Corners of fans say how their polygons go round.
+      result.surface.triangles.push_back(
+        isAlone ? lowest : Triangle{places[a], places[b], places[c]});
       result.numbers.push_back(i);
       if (!parts.empty())
       {
         result.parts.push_back(static_cast<char>(i != first));
       }
       ++i;
-    } while (!parts.empty() && i < surface.triangles.size() && parts[i]);
+    } while (isContinued(i));
   }
   return result;
 }

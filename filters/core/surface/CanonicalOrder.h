@@ -31,7 +31,8 @@ struct CanonicalOrder
 };
 
 /// Returns a surface in canonical order: its polygons by their lowest triangles, and the triangles
-/// of each polygon as they were. No two vertices may be equal. Takes O(n log n) time.
+/// of each polygon as they were. Triangles that are no parts of polygons begin at their lowest
+/// corners. No two vertices may be equal. Takes O(n log n) time.
 CanonicalOrder inCanonicalOrder(const Surface& surface, const PolygonParts& parts);
 
 } // namespace winding

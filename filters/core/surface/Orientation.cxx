@@ -14,9 +14,10 @@
 #include "surface/Shells.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <deque>
-#include <limits>
+#include <map>
 #include <tuple>
 #include <utility>
 
@@ -475,37 +476,41 @@ Orientation orientOnce(
 void keepEarlierOfPairs(const Surface& surface, const PolygonParts& parts,
   const RepeatedFaces& faces, const std::vector<std::size_t>& numbers, Orientation& orientation)
 {
-  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> facing(faces.groups.size(), none), opposite = facing; // by group
+  struct Face
+  {
+    std::vector<Triangle> corners; ///< of its triangles, ascending
+    std::size_t triangle;          ///< the last of them
+  };
+  std::map<std::int32_t, std::array<Face, 2>> pairs; // facing and opposite, by group
   for (std::size_t i = 0; i < faces.kinds.size(); ++i)
   {
-    if (faces.kinds[i] == FaceKind::facing)
+    if (faces.kinds[i] == FaceKind::facing || faces.kinds[i] == FaceKind::opposite)
     {
-      facing[faces.groups[i]] = i;
-    }
-    else if (faces.kinds[i] == FaceKind::opposite)
-    {
-      opposite[faces.groups[i]] = i;
+      Face& face = pairs[faces.groups[i]][faces.kinds[i] == FaceKind::opposite];
+      face.corners.push_back(surface.triangles[i]);
+      std::sort(face.corners.back().begin(), face.corners.back().end());
+      face.triangle = i;
     }
   }
-  const auto isCutAlike = [&surface](std::size_t i, std::size_t j)
-  {
-    Triangle a = surface.triangles[i], b = surface.triangles[j];
-    std::sort(a.begin(), a.end());
-    std::sort(b.begin(), b.end());
-    return a == b;
-  };
   const Orientation found = orientation;
+  std::vector<char> isExchanged(faces.kinds.size(), 0); // by group
+  for (auto& [group, pair] : pairs)
+  {
+    auto& [facing, opposite] = pair;
+    std::sort(facing.corners.begin(), facing.corners.end());
+    std::sort(opposite.corners.begin(), opposite.corners.end());
+    isExchanged[group] = !found.isLeftOut[facing.triangle] && found.isLeftOut[opposite.triangle] &&
+                         numbers[opposite.triangle] < numbers[facing.triangle] &&
+                         (!parts.empty() || facing.corners == opposite.corners);
+  }
   for (std::size_t i = 0; i < faces.kinds.size(); ++i)
   {
     const std::int32_t group = faces.groups[i];
-    if (group >= 0 && facing[group] != none && !found.isLeftOut[facing[group]] &&
-        found.isLeftOut[opposite[group]] && numbers[opposite[group]] < numbers[facing[group]] &&
-        (!parts.empty() || isCutAlike(facing[group], opposite[group])))
+    if (group >= 0 && isExchanged[group] && faces.kinds[i] != FaceKind::repeated)
     {
       const bool isKept = faces.kinds[i] == FaceKind::opposite;
       orientation.isLeftOut[i] = !isKept;
-      orientation.isTurned[i] = isKept && !found.isTurned[facing[group]];
+      orientation.isTurned[i] = isKept && !found.isTurned[pairs.at(group)[0].triangle];
     }
   }
   orientation.triangles = static_cast<std::size_t>(

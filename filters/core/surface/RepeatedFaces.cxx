@@ -229,8 +229,9 @@ std::vector<char> facesToLeaveOut(const Surface& surface, const SurfaceEdges& ed
       break;
     case Place::unclear:
       // Solids that overlap may have faces in common.
-      isLeftOut.push_back((kind == FaceKind::repeated && !connected[i].isClosed) ||
-                          (kind == FaceKind::opposite && !connected[i].hasSingle));
+      isLeftOut.push_back(
+        (kind == FaceKind::repeated && !(connected[i].isClosed && connected[i].hasSingle)) ||
+        (kind == FaceKind::opposite && !connected[i].hasSingle));
       break;
     }
   }

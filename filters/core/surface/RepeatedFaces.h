@@ -57,9 +57,9 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts);
  * or are left out where there is none.
  *
  * The regions on both sides of a face separate walls from skins (Shells.h), once holes are capped
- * (OddCaps.h), or else without caps, which may lie on faces. Where they do not, faces that are
- * connected with closed triangles alone stay, and so do pairs that are connected with single faces,
- * for they cancel. Of all others one face stays.
+ * (OddCaps.h), or else without caps, which may lie on faces. Where they do not, pairs that are
+ * connected with single faces stay, for they cancel, and so do all of these faces where all that
+ * are connected cancel. Of all others one face stays.
  */
 std::vector<char> facesToLeaveOut(const Surface& surface, const SurfaceEdges& edges,
   const RepeatedFaces& faces, const PolygonParts& parts, Executor& executor);
