@@ -209,7 +209,7 @@ def of_source(name, mesh, is_cloud):
                 OutputAssociation=association, Coverage=coverage))
     note(f"{name} report", simple.SurfaceReport(Input=mesh))
     note(f"{name} turned", simple.SurfaceReport(Input=mesh, FixOrientation=1, FaultThickness=0))
-    note(f"{name} mirrored", simple.WindingNumberField(**grid, Mirror="x=0.1 1 1 0 = 3"))
+    note(f"{name} mirrored", simple.WindingNumberField(**grid, Mirror="x=0.1 0 1 1 = 3"))
     note(f"{name} mirrored on a turned image", simple.WindingNumberField(
         Input=mesh, Like=turned_image(4), Mirror="x=0.1", FlatBase="down", SheetSide="up"))
     if not is_cloud:

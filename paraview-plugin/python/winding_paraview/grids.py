@@ -5,6 +5,7 @@ Field."""
 
 import contextlib
 import ctypes
+import math
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -141,8 +142,13 @@ class GridAlgorithm(SourceAlgorithm):
                 found[::2] = every[:, ::2].min(axis=0).tolist()
                 found[1::2] = every[:, 1::2].max(axis=0).tolist()
                 box = (ctypes.c_double * 6)(*found)
-                _library.call("winding_complete_bounds",
-                              ctypes.byref(_library.Options(**self.completion())), box)
+                try:
+                    _library.call("winding_complete_bounds",
+                                  ctypes.byref(_library.Options(**self.completion())), box)
+                except WindingError as error:  # the function takes no words
+                    name, rest = str(error).split(" ", 1)
+                    label = {"mirror": "Mirror", "flat_base": "Flat Base"}.get(name, name)
+                    raise type(error)(f"{label} {rest}") from error
                 found = list(box)
             self._bounds = (key, found)
         return self._bounds[1]
@@ -292,7 +298,7 @@ class GridAlgorithm(SourceAlgorithm):
         """Returns the differences of the fields of several solids together."""
         if self.value("VerifySamples") == 0 or not sample_count(extent):
             return None
-        total, squares = _library.Verification(), 0.0
+        total = _library.Verification()
         for field in fields:
             info = _library.FieldInfo()
             _library.call("winding_describe", field.pointer, ctypes.byref(info))
@@ -306,9 +312,11 @@ class GridAlgorithm(SourceAlgorithm):
             found = self.verify(field, grid, extent, values)
             total.max_error = max(total.max_error, found.max_error)
             total.near_max_error = max(total.near_max_error, found.near_max_error)
+            before = total.samples
             total.samples += found.samples
-            squares += found.rms_error**2 * found.samples
-        total.rms_error = (squares / max(1, total.samples)) ** 0.5
+            # As in C++, the mean of all before is taken each time, for the same last bits.
+            squares = total.rms_error**2 * before + found.rms_error**2 * found.samples
+            total.rms_error = math.sqrt(squares / max(1, total.samples))
         return total
 
 

@@ -347,7 +347,7 @@ def _regions_of(data, name):
         are_wrong = _are_faces(data) & ~((np.abs(values) < 1e9) & (values == np.floor(values)))
     if are_wrong.any():
         cell = int(np.flatnonzero(are_wrong)[0])
-        raise WindingError(f"'{name}' has the value {values[cell]:f} at cell {cell}, and regions "
+        raise WindingError(f"'{name}' has the value {values[cell]:g} at cell {cell}, and regions "
                            f"are integers: {choose}")
     return values, None
 

@@ -388,7 +388,7 @@ class WindingNumberVoxels(Algorithm):
             raise WindingError(
                 f"'{array.GetName()}' is no array of labels: choose another array (Scalars), or "
                 f"use By Label: Off; labels are integers from 0 to 65535, and it has the value "
-                f"{wrong:f}")
+                f"{wrong:g}")
         return values.astype(np.uint16)
 
     def _add_data(self, image, of_cells, arrays, are_labels, counts, places, corners, output):
