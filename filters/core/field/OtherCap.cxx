@@ -130,7 +130,7 @@ OtherCap::OtherCap(const Surface& surface, const RepeatedLoops& repeated, const 
   , lessCap_(capMultiplicities_)
   , capRows_(vertices_, {cap_, capMultiplicities_})
   , fanRows_(vertices_, {fan_, fanMultiplicities_})
-  , between_(vertices_, {fan_, fanMultiplicities_}, {cap_, lessCap_}, surface.bounds)
+  , between_(vertices_, {fan_, fanMultiplicities_}, {cap_, lessCap_}, bounds_)
   , surfaceSum_(surface)
   , fanSum_(vertices_, {fan_, fanMultiplicities_}, surface.bounds)
 {
@@ -173,6 +173,11 @@ OtherCap::OtherCap(const Surface& surface, const RepeatedLoops& repeated, const 
   for (std::int32_t& multiplicity : lessCap_)
   {
     multiplicity = -multiplicity;
+  }
+  bounds_ = surface.bounds;
+  for (const Eigen::Vector3d& vertex : vertices_)
+  {
+    bounds_.extend(vertex);
   }
   if (accuracy)
   {

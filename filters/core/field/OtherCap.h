@@ -87,6 +87,7 @@ private:
   Multiplicities capMultiplicities_, fanMultiplicities_;
   Multiplicities lessCap_; ///< multiplicities of the cap, negative
   RowCrossings capRows_, fanRows_;
+  Bounds bounds_;          ///< of the surface and the fan
   PointCrossings between_; ///< crossings of the fan less the cap, which are closed together
   TriangleSum surfaceSum_, fanSum_;
   std::unique_ptr<const TriangleFarField> fanFarField_;

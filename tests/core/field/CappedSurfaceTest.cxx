@@ -9,6 +9,8 @@
 #include "support/RowValues.h"
 #include "support/ShuffledThreads.h"
 
+#include "field/Field.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -497,5 +499,35 @@ TEST(CappedSurface, DoesNotDependOnTheUnitOfLengthOrTheDistanceFromTheOrigin)
     EXPECT_LT(largestError(moved, gridAround(moved, 12)), 1e-9);
     const Grid grid = gridOf(away - Point::Constant(0.25), Point::Constant(0.125), {13, 13, 13});
     EXPECT_LT(largestError(moved, grid), 1e-9);
+  }
+}
+
+/// A fan leaves the bounds of a wafer, and so do samples next to its hole.
+TEST(CappedSurface, EqualsTheDirectSumNextToTheHolesOfAWafer)
+{
+  for (std::size_t missing = 0; missing < 12; ++missing)
+  {
+    shapes::Mesh wafer = shapes::cube().mapped(
+      [](const shapes::Point& p) { return shapes::Point(p[0], 1e-9 * p[1], p[2]); });
+    wafer.triangles.erase(wafer.triangles.begin() + static_cast<std::ptrdiff_t>(missing));
+    std::vector<shapes::Point> samples = shapes::randomPoints(60, 0.05, 0.95, 871);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      samples[i][1] = i % 3 == 0 ? 4e-9 : i % 3 == 1 ? -3e-9 : 1e-7;
+    }
+    winding::SerialExecutor serial;
+    winding::FieldOptions options;
+    options.method = winding::Method::rows;
+    const auto field = winding::Field::build({wafer.view()}, options, serial);
+    std::vector<double> found(samples.size());
+    winding::FieldOutput output;
+    output.doubleValues = found.data();
+    field->evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, serial);
+    const winding::Surface surface = shapes::clean(wafer);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      EXPECT_NEAR(found[i], winding::referenceSum<double>(surface, samples[i]), 1e-6)
+        << missing << ' ' << samples[i].transpose();
+    }
   }
 }
