@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/FieldParts.h"
 
+#include "program/AvailableMemory.h"
 #include "program/Failure.h"
 #include "program/ParallelRun.h"
 #include "program/Print.h"
@@ -15,28 +16,9 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
-#include <limits>
-#include <string>
 
 namespace
 {
-
-/// The memory in bytes that the machine can give without taking it from other programs; infinite
-/// where it does not say.
-double freeMemory()
-{
-  std::ifstream file("/proc/meminfo");
-  std::string name, rest;
-  for (double kilobytes = 0; file >> name >> kilobytes && std::getline(file, rest);)
-  {
-    if (name == "MemAvailable:")
-    {
-      return 1024 * kilobytes;
-    }
-  }
-  return std::numeric_limits<double>::infinity();
-}
 
 bool hasCells(vtkImageData* image)
 {
@@ -86,7 +68,7 @@ vtkSmartPointer<vtkImageData> emptyImage(vtkImageData* slab, const std::vector<S
   {
     bytes += static_cast<double>(samples) * static_cast<double>(bytesOfValue(from->GetArray(i)));
   }
-  if (bytes > freeMemory())
+  if (bytes > availableMemory())
   {
     throw Failure(EXIT_NO_MEMORY,
       "give the output the suffix .pvti, which every rank writes a part of: a .vti file needs " +

@@ -5,6 +5,7 @@
 #include "files/ReaderEvents.h"
 #include "files/ThreeMfModel.h"
 #include "files/ZipArchive.h"
+#include "program/AvailableMemory.h"
 #include "program/Failure.h"
 
 #include "vtkCommand.h"
@@ -15,9 +16,7 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <initializer_list>
-#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -43,22 +42,6 @@ constexpr double bytesOfTriangle = 150, bytesOfObject = 18000;
 
 /// How many bytes of a file take as much memory and time to read as an object.
 constexpr double fileBytesOfObject = 48;
-
-/// Returns the memory that programs may still take, in bytes; infinity where the system does not
-/// report it.
-double availableBytes()
-{
-  std::ifstream facts("/proc/meminfo");
-  for (std::string word; facts >> word;)
-  {
-    double kibibytes = 0;
-    if (word == "MemAvailable:" && facts >> kibibytes)
-    {
-      return 1024 * kibibytes;
-    }
-  }
-  return std::numeric_limits<double>::infinity();
-}
 
 /// The numbers of triangles and objects in a build or an object, with repetitions.
 struct Size
@@ -191,7 +174,7 @@ public:
     {
       refuseRepetitions(archive_);
     }
-    if (bytesOfTriangle * all.triangles + bytesOfObject * all.objects > availableBytes())
+    if (bytesOfTriangle * all.triangles + bytesOfObject * all.objects > availableMemory())
     {
       throw Failure(EXIT_NO_MEMORY, fileName_, "does not fit into memory; use a smaller one");
     }

@@ -12,5 +12,5 @@
 ImagePlace metaImage(const std::string& head);
 
 /// Reads the fields of a MetaImage from `start` on, up to ElementDataFile, and moves `start` behind
-/// it. Values stand behind = or a colon.
+/// it. Values follow = or a colon.
 HeaderFields metaFields(const std::string& head, std::size_t& start);
