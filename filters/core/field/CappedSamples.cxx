@@ -122,28 +122,19 @@ void CappedSurface::evaluate(
 void CappedSurface::subtractDirectly(
   const VectorsView& samples, const Differences& differences, Executor& executor) const
 {
-  constexpr std::size_t perBlock = SampleBlock::capacity;
-  executor.run((samples.size() + perBlock - 1) / perBlock,
-    [&](std::size_t number)
+  capSum_.watch(
+    samples.size(),
+    [&](std::size_t n)
     {
-      const std::size_t first = number * perBlock;
-      SampleBlock block;
-      block.count = std::min(perBlock, samples.size() - first);
-      for (std::size_t n = 0; n < block.count; ++n)
-      {
-        const Eigen::Vector3d position = samples[first + n];
-        block.set(n, position.allFinite() ? position : bounds_.center());
-      }
-      double values[SampleBlock::capacity];
-      bool isSuspect[SampleBlock::capacity];
-      const bool any = capSum_.evaluateWatching(block, values, isSuspect);
-      for (std::size_t n = 0; n < block.count; ++n)
-      {
-        // χ of a sample that is not finite is NaN, and so is the difference.
-        const bool isFinite = samples[first + n].allFinite();
-        differences.point(first + n, values[n], isFinite && any && isSuspect[n]);
-      }
-    });
+      const Eigen::Vector3d position = samples[n];
+      return position.allFinite() ? position : bounds_.center();
+    },
+    [&](std::size_t n, double value, bool isSuspect)
+    {
+      // χ of a sample that is not finite is NaN, and so is the difference.
+      differences.point(n, value, isSuspect && samples[n].allFinite());
+    },
+    executor);
 }
 
 } // namespace winding

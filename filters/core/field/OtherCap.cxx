@@ -27,27 +27,15 @@ template <class PositionOf>
 Places sumAt(const TriangleSum& sum, const PositionOf& positionOf, const Places& places,
   std::vector<double>& values, Executor& executor)
 {
-  constexpr std::size_t perBlock = SampleBlock::capacity;
   std::vector<char> areOnTriangles(places.size(), 0);
-  executor.run((places.size() + perBlock - 1) / perBlock,
-    [&](std::size_t number)
+  sum.watch(
+    places.size(), [&](std::size_t n) { return positionOf(places[n]); },
+    [&](std::size_t n, double value, bool isSuspect)
     {
-      const std::size_t first = number * perBlock;
-      SampleBlock block;
-      block.count = std::min(perBlock, places.size() - first);
-      for (std::size_t n = 0; n < block.count; ++n)
-      {
-        block.set(n, positionOf(places[first + n]));
-      }
-      double sums[SampleBlock::capacity];
-      bool isSuspect[SampleBlock::capacity];
-      const bool any = sum.evaluateWatching(block, sums, isSuspect);
-      for (std::size_t n = 0; n < block.count; ++n)
-      {
-        values[places[first + n]] = sums[n];
-        areOnTriangles[first + n] = any && isSuspect[n];
-      }
-    });
+      values[places[n]] = value;
+      areOnTriangles[n] = isSuspect;
+    },
+    executor);
   Places onTriangles;
   for (std::size_t n = 0; n < places.size(); ++n)
   {
@@ -127,10 +115,9 @@ OtherCap::OtherCap(const Surface& surface, const RepeatedLoops& repeated, const 
   , cap_(cap)
   , capMultiplicities_(repeated.multiplicities(trianglesOfCap))
   , fanMultiplicities_(repeated.multiplicities(trianglesOfFan))
-  , lessCap_(capMultiplicities_)
   , capRows_(vertices_, {cap_, capMultiplicities_})
   , fanRows_(vertices_, {fan_, fanMultiplicities_})
-  , between_(vertices_, {fan_, fanMultiplicities_}, {cap_, lessCap_}, bounds_)
+  , between_(vertices_, {fan_, fanMultiplicities_}, {turnedCap_, capMultiplicities_}, bounds_)
   , surfaceSum_(surface)
   , fanSum_(vertices_, {fan_, fanMultiplicities_}, surface.bounds)
 {
@@ -169,10 +156,9 @@ OtherCap::OtherCap(const Surface& surface, const RepeatedLoops& repeated, const 
     loops.add({ofLoop.data(), ofLoop.data() + ofLoop.size()});
   }
   fan_ = fanOf(loops, vertices_);
-  lessCap_.resize(cap_.size(), 1);
-  for (std::int32_t& multiplicity : lessCap_)
+  for (const auto& [a, b, c] : cap_)
   {
-    multiplicity = -multiplicity;
+    turnedCap_.push_back({a, c, b});
   }
   bounds_ = surface.bounds;
   for (const Eigen::Vector3d& vertex : vertices_)

@@ -83,9 +83,8 @@ private:
 
   const Surface& surface_;
   std::vector<Eigen::Vector3d> vertices_; ///< of the loops, and the fan's own
-  TriangleList cap_, fan_;
+  TriangleList cap_, fan_, turnedCap_;    ///< the last is the cap, turned round
   Multiplicities capMultiplicities_, fanMultiplicities_;
-  Multiplicities lessCap_; ///< multiplicities of the cap, negative
   RowCrossings capRows_, fanRows_;
   Bounds bounds_;          ///< of the surface and the fan
   PointCrossings between_; ///< crossings of the fan less the cap, which are closed together

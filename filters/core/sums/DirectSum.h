@@ -4,10 +4,13 @@
 
 #include "base/Bounds.h"
 #include "base/Evaluator.h"
+#include "base/Executor.h"
 #include "source/CoordinateOrder.h"
 #include "source/PointCloud.h"
 #include "source/Surface.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <vector>
@@ -57,6 +60,33 @@ public:
   /// within rounding, so that chance decides which of the values around it the sample gets. Returns
   /// whether there is any.
   bool evaluateWatching(const SampleBlock& block, double* values, bool* isSuspect) const;
+
+  /// Evaluates `count` samples as evaluateWatching() does, in blocks that `executor` runs. Sample n
+  /// lies at positionOf(n), and visit(n, value, isSuspect) receives what is found there.
+  template <class PositionOf, class Visit>
+  void watch(
+    std::size_t count, const PositionOf& positionOf, const Visit& visit, Executor& executor) const
+  {
+    constexpr std::size_t perBlock = SampleBlock::capacity;
+    executor.run((count + perBlock - 1) / perBlock,
+      [&](std::size_t number)
+      {
+        const std::size_t first = number * perBlock;
+        SampleBlock block;
+        block.count = std::min(perBlock, count - first);
+        for (std::size_t n = 0; n < block.count; ++n)
+        {
+          block.set(n, positionOf(first + n));
+        }
+        double values[SampleBlock::capacity];
+        bool isSuspect[SampleBlock::capacity];
+        const bool any = this->evaluateWatching(block, values, isSuspect);
+        for (std::size_t n = 0; n < block.count; ++n)
+        {
+          visit(first + n, values[n], any && isSuspect[n]);
+        }
+      });
+  }
 
 private:
   void sum(const SampleBlock& block, double* values, bool* isSuspect) const;
