@@ -10,7 +10,7 @@
 namespace winding
 {
 
-/// A surface whose vertices and triangles stand in an order that follows from coordinates alone.
+/// A surface with its vertices and triangles in an order that follows from coordinates alone.
 /// Decisions about it depend on the set of its triangles, whatever order they came in.
 struct CanonicalOrder
 {

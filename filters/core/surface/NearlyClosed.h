@@ -10,13 +10,13 @@
 namespace winding
 {
 
-/// The largest cap that closes a component so that its sides show, as a share of its own area. So a
+/// The most that a cap may have of its component's area if the component's sides are to show. So a
 /// box without a lid is closed, with a cap of a fifth, and so is a tube as long as it is wide; less
 /// than half of a sphere is not. Caps of just that share are common: rounding must not decide.
 constexpr double mostOfNearlyClosed = 0.5 + 1e-9;
 
-/// The largest cap that closes a component so well that it encloses others as closed ones do: w is
-/// about 0.9 in the middle of a sphere with a cap of that share.
+/// The most that a cap may have of its component's area if the component is to enclose others as
+/// closed ones do: w is about 0.9 in the middle of a sphere with a cap of that share.
 constexpr double mostOfTightlyClosed = 0.1;
 
 /**

@@ -72,7 +72,7 @@ private:
 
 } // namespace
 
-TriangleList oddCaps(const Surface& surface, const SurfaceEdges& edges)
+Surface withOddCaps(const Surface& surface, const SurfaceEdges& edges)
 {
   std::vector<Ends> odd;
   for (const SurfaceEdges::Rim& rim : edges.rims)
@@ -110,7 +110,7 @@ TriangleList oddCaps(const Surface& surface, const SurfaceEdges& edges)
   EvenEdges left(std::move(odd), vertices.size());
   // Each walk cuts off a loop where a vertex comes up again, and ends where it began: even numbers
   // of edges meet at every vertex.
-  TriangleList caps;
+  Surface capped = surface;
   std::vector<std::int32_t> path, placeInPath(vertices.size(), -1), loop;
   for (std::size_t start = 0; start < vertices.size(); ++start)
   {
@@ -127,7 +127,7 @@ TriangleList oddCaps(const Surface& surface, const SurfaceEdges& edges)
         }
         path.erase(cut, path.end());
         const TriangleList cap = capOf(BoundaryLoop(loop.data(), loop.data() + loop.size()));
-        caps.insert(caps.end(), cap.begin(), cap.end());
+        capped.triangles.insert(capped.triangles.end(), cap.begin(), cap.end());
       }
       placeInPath[here] = static_cast<std::int32_t>(path.size());
       path.push_back(here);
@@ -135,7 +135,7 @@ TriangleList oddCaps(const Surface& surface, const SurfaceEdges& edges)
     placeInPath[path.back()] = -1;
     path.clear();
   }
-  return caps;
+  return capped;
 }
 
 } // namespace winding

@@ -9,11 +9,12 @@ namespace winding
 {
 
 /**
- * Returns caps (Cap.h) over the edges that an odd number of triangles use, so that even numbers use
- * all. Where triangles agree about the outside and each wall between two solids is there twice,
- * those edges bound the holes. The senses of triangles make no difference, nor does their order,
- * nor the order of vertices. Takes O(n log n) time for n of these edges.
+ * Returns a surface with caps (Cap.h) over the edges that an odd number of triangles use, so that
+ * even numbers use all. The caps follow its own triangles. Where triangles agree about the outside
+ * and each wall between two solids is there twice, those edges bound the holes. The senses of
+ * triangles make no difference, nor does their order, nor the order of vertices. Takes O(n log n)
+ * time for n of these edges.
  */
-TriangleList oddCaps(const Surface& surface, const SurfaceEdges& edges);
+Surface withOddCaps(const Surface& surface, const SurfaceEdges& edges);
 
 } // namespace winding

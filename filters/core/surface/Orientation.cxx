@@ -154,9 +154,7 @@ private:
   /// other once holes are capped.
   std::vector<char> contradict(const Surface& surface, Executor& executor) const
   {
-    Surface capped = surface;
-    const TriangleList caps = oddCaps(surface, edges_);
-    capped.triangles.insert(capped.triangles.end(), caps.begin(), caps.end());
+    const Surface capped = withOddCaps(surface, edges_);
     std::vector<char> isTurned;
     for (std::size_t i = 0; i < surface.triangles.size(); ++i)
     {
@@ -470,8 +468,8 @@ Orientation orientOnce(
   return result;
 }
 
-/// Has the face that came first stand for each pair whose other face is left out: it has the data
-/// that users expect. `numbers` says by triangle when it came. Flat pairs of triangles that are cut
+/// Keeps the earlier face of each pair that has lost one: users expect the data of that face.
+/// `numbers` says by triangle when it came. Flat pairs of triangles that are cut
 /// otherwise stay, for the set of triangles would depend on their order.
 void keepEarlierOfPairs(const Surface& surface, const PolygonParts& parts,
   const RepeatedFaces& faces, const std::vector<std::size_t>& numbers, Orientation& orientation)

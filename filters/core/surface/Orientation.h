@@ -43,7 +43,7 @@ struct Orientation
  *
  * So a surface whose triangles agree stays as it is, except for inverted components, nested solids
  * and faces that are there more than once in one sense. The result depends on the set of triangles
- * and polygons, not on their order, except that equal faces stand for each other. It is the same
+ * and polygons, not on their order; equal faces are interchangeable. It is the same
  * for every executor. Takes O(n log n) time, and the time of ClosedComponents.h where components
  * are nested. Throws Interrupted.
  */

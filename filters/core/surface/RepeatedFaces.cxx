@@ -198,10 +198,8 @@ std::vector<char> facesToLeaveOut(const Surface& surface, const SurfaceEdges& ed
 {
   const std::size_t own = surface.triangles.size();
   std::vector<Place> places = placesOf(surface, own, faces, executor);
-  Surface capped = surface;
-  const TriangleList caps = oddCaps(surface, edges);
-  capped.triangles.insert(capped.triangles.end(), caps.begin(), caps.end());
-  if (!caps.empty())
+  const Surface capped = withOddCaps(surface, edges);
+  if (capped.triangles.size() > own)
   {
     PolygonParts cappedParts = parts;
     cappedParts.resize(parts.empty() ? 0 : capped.triangles.size(), 0);

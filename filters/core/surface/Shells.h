@@ -36,7 +36,7 @@ public:
   /**
    * Returns for each side, front and back of one triangle after the other, what is before it.
    *
-   * `counts` says how many faces each triangle stands for; 0 for a cap, which parts regions and
+   * `counts` says how many faces each triangle represents; 0 for a cap, which parts regions and
    * says nothing about them. Each face bounds a solid on one of its sides, and a solid that was
    * drawn n times has n faces everywhere. So the numbers of a region and of its neighbour behind a
    * triangle add up to the triangle's count, from the outside on, which has 0. Between two regions
