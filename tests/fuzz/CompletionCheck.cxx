@@ -73,16 +73,17 @@ std::vector<std::array<double, 9>> writtenOut(const Surface& surface)
   return result;
 }
 
-/// The mesh with its points and triangles in reverse order.
+/// The mesh with its points and triangles in reverse order. Corners that are no points stay.
 Mesh reversedOrder(Mesh mesh)
 {
+  const auto last = static_cast<std::int32_t>(mesh.points.size()) - 1;
   std::reverse(mesh.points.begin(), mesh.points.end());
   std::reverse(mesh.triangles.begin(), mesh.triangles.end());
   for (auto& triangle : mesh.triangles)
   {
     for (std::int32_t& corner : triangle)
     {
-      corner = static_cast<std::int32_t>(mesh.points.size()) - 1 - corner;
+      corner = corner >= 0 && corner <= last ? last - corner : corner;
     }
   }
   return mesh;
