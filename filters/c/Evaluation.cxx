@@ -4,10 +4,10 @@
 
 #include "Handles.h"
 #include "base/SideCounts.h"
+#include "diagnosis/Diagnosis.h"
+#include "diagnosis/GridAdvice.h"
 #include "messages/PropertyChecks.h"
 #include "report/ExpectedTimeAdvice.h"
-#include "report/GridAdvice.h"
-#include "report/SourceAdvice.h"
 #include "report/Verify.h"
 #include "voxels/VoxelEvaluation.h"
 
@@ -48,13 +48,14 @@ void warnOfResult(const winding_field& handle, const Grid& grid, const ResultOnG
     return;
   }
   const InsideRule insideRule = ruleOf(rule);
-  if (const auto openSide = openSideAdvice(
-        field.info(), {rule.winding_threshold, result.takesTouchedVoxels, result.mayCloseBorder}))
+  const Diagnosis& diagnosis = field.diagnosis();
+  if (const auto openSide = diagnosis.ofOpenSide(
+        {rule.winding_threshold, result.takesTouchedVoxels, result.mayCloseBorder}))
   {
     call.warn(*openSide);
   }
   const Facing facing =
-    facingOf(field, result.sides, insideRule, rule.winding_threshold, call.executor);
+    diagnosis.facing(result.sides, insideRule, rule.winding_threshold, call.executor);
   if (facing.warning)
   {
     call.warn(*facing.warning);
@@ -66,11 +67,12 @@ void warnOfResult(const winding_field& handle, const Grid& grid, const ResultOnG
   GridResult found;
   found.isEmpty = result.isEmpty && !facing.isInsideOut;
   found.mayTouch = result.mayTouchVoxels;
+  found.isSheet = field.info().openings.areOfSheet();
   found.hasHighThreshold = insideRule != InsideRule::odd && rule.winding_threshold > 0.5;
   if (!facing.looksInward)
   {
     found.parts =
-      thinPartsOf(field, grid, result.isInside, insideRule, rule.winding_threshold, call.executor);
+      diagnosis.thinParts(grid, result.isInside, insideRule, rule.winding_threshold, call.executor);
   }
   if (const auto advice = gridAdvice(grid, field.info().bounds, found))
   {
@@ -308,7 +310,7 @@ winding_status winding_evaluate_points(const winding_field* field, winding_array
       if (handle.field->info().primitives > 0)
       {
         const winding::Facing facing =
-          winding::facingOf(*handle.field, counts, output.rule, output.threshold, call.executor);
+          handle.field->diagnosis().facing(counts, output.rule, output.threshold, call.executor);
         if (facing.warning)
         {
           call.warn(*facing.warning);

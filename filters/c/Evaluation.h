@@ -4,8 +4,8 @@
 
 #include "Border.h"
 #include "base/SideCounts.h"
+#include "diagnosis/ThinParts.h"
 #include "field/Field.h"
-#include "report/ThinParts.h"
 #include "source/Grid.h"
 #include "winding.h"
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation.h"
 #include "Handles.h"
+#include "diagnosis/GridAdvice.h"
 #include "level/CombinedRoots.h"
 #include "level/GridContour.h"
 #include "level/LevelMemory.h"
@@ -10,7 +11,6 @@
 #include "level/SharpContour.h"
 #include "messages/PropertyChecks.h"
 #include "report/Fidelity.h"
-#include "report/GridAdvice.h"
 #include "voxels/BlockSurface.h"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation.h"
 #include "Handles.h"
+#include "diagnosis/Diagnosis.h"
+#include "diagnosis/GridAdvice.h"
 #include "field/FieldVolume.h"
-#include "field/InsideOut.h"
 #include "messages/PropertyChecks.h"
-#include "report/GridAdvice.h"
 #include "report/InputUnits.h"
 #include "report/LabelAdvice.h"
 #include "source/Sanitize.h"
@@ -161,9 +161,10 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
         }
         const double end = static_cast<double>(i + 1) / all;
         call.executor.setShare(end, end);
-        const bool isInward = insideRule == winding::InsideRule::signedThreshold &&
-                              winding::inwardnessOf(field, sides.counts(voxels), call.executor) ==
-                                winding::Inwardness::solids;
+        const bool isInward = field.diagnosis()
+                                .facing(sides.counts(voxels), insideRule, inside.winding_threshold,
+                                  call.executor)
+                                .looksInward;
         if (isInward)
         {
           (hasVoxels[i] ? facts.partlyInsideOut : facts.insideOut).add(nameOf(i));

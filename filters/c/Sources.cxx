@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Border.h"
 #include "Handles.h"
+#include "diagnosis/Diagnosis.h"
 #include "field/FieldVolume.h"
-#include "report/SourceAdvice.h"
 #include "source/MeshVertices.h"
 
 using namespace winding::c;
@@ -26,6 +26,7 @@ void buildField(const std::vector<View>& views, const winding_options* options,
       handle.tolerance = wished.tolerance;
       handle.field = Field::build(views, wished, call.executor);
       call.warn(handle.field->info().warnings);
+      call.warn(handle.field->diagnosis().ofSource(call.executor));
       if (handle.field->info().primitives == 0)
       {
         call.warn(winding::emptySourceAdvice(known(options, defaultOptions()).weld_tolerance > 0));

@@ -5,6 +5,7 @@
 #include "base/Bounds.h"
 #include "base/Refusal.h"
 #include "base/Stopwatch.h"
+#include "diagnosis/Diagnosis.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
 #include "pipeline/ErrorReports.h"
@@ -19,7 +20,6 @@
 #include "private/source/SourceUnits.h"
 #include "report/ExpectedTimeAdvice.h"
 #include "report/InputUnits.h"
-#include "report/SourceAdvice.h"
 #include "source/Grid.h"
 
 #include "vtkDataObject.h"
@@ -352,7 +352,7 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   }
   this->PrepareSeconds = executor.hasRun() ? winding::secondsSince(start) : 0;
   this->SetProgressText("Evaluating");
-  this->TellFaults(this->Source->info());
+  this->TellFaults(field);
   return field;
 }
 
@@ -383,11 +383,12 @@ std::string vtkWindingNumberAlgorithm::GetSourcePrefix() const
   return this->SourceName.empty() ? "" : "'" + this->SourceName + "': ";
 }
 
-void vtkWindingNumberAlgorithm::TellFaults(const winding::FieldInfo& info)
+void vtkWindingNumberAlgorithm::TellFaults(const winding::Field& field)
 {
+  const winding::FieldInfo& info = this->Source->info();
   std::vector<winding::Message> warnings = info.warnings;
-  const auto openSide = winding::openSideAdvice(
-    info, {this->WindingThreshold, this->TakesTouchedVoxels(), this->MayCloseBorder()});
+  const auto openSide = field.diagnosis().ofOpenSide(
+    {this->WindingThreshold, this->TakesTouchedVoxels(), this->MayCloseBorder()});
   if (openSide && this->InsideMatters(info))
   {
     warnings.push_back(*openSide);
@@ -548,8 +549,8 @@ void vtkWindingNumberAlgorithm::DescribeMethod(vtkDataObject* output) const
 void vtkWindingNumberAlgorithm::TellSides(
   const winding::Field& field, const winding::SideCounts& sides, winding::Executor& executor)
 {
-  const winding::Facing facing = winding::facingOf(
-    field, sides, winding::coreInsideRule(this->InsideRule), this->WindingThreshold, executor);
+  const winding::Facing facing = field.diagnosis().facing(
+    sides, winding::coreInsideRule(this->InsideRule), this->WindingThreshold, executor);
   this->SourceLooksInward = facing.looksInward;
   this->SourceIsInsideOut = facing.looksInward ? facing.isInsideOut : this->SourceIsInsideOut;
   if (facing.warning && this->InsideMatters(field.info()))

@@ -548,7 +548,7 @@ protected:
   std::string GetSourcePrefix() const;
 
   /// Warns about faults of a source whose field was prepared.
-  virtual void TellFaults(const winding::FieldInfo& info);
+  virtual void TellFaults(const winding::Field& field);
 
   /// Whether voxels that the source touches are inside, as is then all of a sheet.
   virtual bool TakesTouchedVoxels() const { return false; }

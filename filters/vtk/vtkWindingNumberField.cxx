@@ -3,7 +3,6 @@
 #include "vtkWindingNumberField.h"
 
 #include "base/Executor.h"
-#include "field/InsideOut.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
 #include "pipeline/ErrorReports.h"

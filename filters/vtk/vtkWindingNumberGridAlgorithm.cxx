@@ -4,6 +4,8 @@
 
 #include "base/Bounds.h"
 #include "base/Refusal.h"
+#include "diagnosis/Diagnosis.h"
+#include "diagnosis/GridAdvice.h"
 #include "field/Field.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
@@ -12,7 +14,6 @@
 #include "pipeline/SmpExecutor.h"
 #include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
-#include "report/GridAdvice.h"
 #include "report/Verify.h"
 #include "source/Grid.h"
 
@@ -454,6 +455,7 @@ void vtkWindingNumberGridAlgorithm::WarnOfGrid(const winding::Field& field, bool
     winding::GridResult result;
     result.isEmpty = isEmpty && !this->SourceIsInsideOut;
     result.mayTouch = this->MayTouchVoxels();
+    result.isSheet = field.info().openings.areOfSheet();
     result.hasHighThreshold = this->HasHighThreshold();
     if (!this->SourceLooksInward)
     {
@@ -461,14 +463,7 @@ void vtkWindingNumberGridAlgorithm::WarnOfGrid(const winding::Field& field, bool
       executor.setShare(1, 1);
       const winding::InsideRule rule = winding::coreInsideRule(this->InsideRule);
       const double threshold = this->WindingThreshold;
-      if (isInside)
-      {
-        result.parts = winding::thinPartsOf(field, grid, isInside, rule, threshold, executor);
-      }
-      else if (this->MayTouchVoxels())
-      {
-        result.parts = winding::thinPartsOf(field, grid, rule, threshold, executor);
-      }
+      result.parts = field.diagnosis().thinParts(grid, isInside, rule, threshold, executor);
     }
     const auto advice = winding::gridAdvice(grid, field.info().bounds, result);
     if (advice)

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWindingNumberHyperTree.h"
 
-#include "field/InsideOut.h"
 #include "level/VoxelTreesMemory.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"

@@ -3,8 +3,9 @@
 #include "vtkWindingNumberLabels.h"
 
 #include "base/Refusal.h"
+#include "diagnosis/Diagnosis.h"
+#include "diagnosis/GridAdvice.h"
 #include "field/FieldVolume.h"
-#include "field/InsideOut.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
 #include "pipeline/FreeMemory.h"
@@ -16,7 +17,6 @@
 #include "private/source/SolidBlocks.h"
 #include "private/source/Solids.h"
 #include "private/source/SourceProperties.h"
-#include "report/GridAdvice.h"
 #include "report/InputUnits.h"
 #include "report/LabelAdvice.h"
 #include "report/Verify.h"
@@ -148,7 +148,7 @@ void vtkWindingNumberLabels::CheckSource(vtkDataObject* source)
   this->GetRanks().agree([&] { winding::checkSolids(source, this->SourceAsPoints != 0); });
 }
 
-void vtkWindingNumberLabels::TellFaults(const winding::FieldInfo&)
+void vtkWindingNumberLabels::TellFaults(const winding::Field&)
 {
   // WarnOfSolids() counts what would be a line for each solid.
 }
@@ -230,8 +230,10 @@ bool vtkWindingNumberLabels::CountInward(const winding::Field& field,
 {
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   executor.setShare(1, 1);
-  const bool isInward =
-    winding::inwardnessOf(field, sides, executor) == winding::Inwardness::solids;
+  const bool isInward = field.diagnosis()
+                          .facing(sides, winding::coreInsideRule(this->InsideRule),
+                            this->WindingThreshold, executor)
+                          .looksInward;
   if (isInward)
   {
     (hasInside ? this->Facts->partlyInsideOut : this->Facts->insideOut).add(name);

@@ -5,8 +5,8 @@
 #include "base/Executor.h"
 #include "base/Refusal.h"
 #include "base/Views.h"
+#include "diagnosis/GridAdvice.h"
 #include "field/Field.h"
-#include "field/InsideOut.h"
 #include "messages/Options.h"
 #include "pipeline/Ranks.h"
 #include "pipeline/SmpExecutor.h"
@@ -15,7 +15,6 @@
 #include "private/probe/ProbeWords.h"
 #include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
-#include "report/GridAdvice.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"

@@ -3,6 +3,7 @@
 #include "vtkWindingNumberSurface.h"
 
 #include "base/Executor.h"
+#include "diagnosis/GridAdvice.h"
 #include "field/Field.h"
 #include "level/EdgeRoots.h"
 #include "level/ShapedSolid.h"
@@ -15,7 +16,6 @@
 #include "private/output/SurfaceFidelity.h"
 #include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
-#include "report/GridAdvice.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"

@@ -3,6 +3,7 @@
 #include "vtkWindingNumberSurfaceAlgorithm.h"
 
 #include "base/Executor.h"
+#include "diagnosis/GridAdvice.h"
 #include "field/Field.h"
 #include "level/CombinedRoots.h"
 #include "level/GridContour.h"
@@ -19,7 +20,6 @@
 #include "private/output/ResultArrays.h"
 #include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
-#include "report/GridAdvice.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

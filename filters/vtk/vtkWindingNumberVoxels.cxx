@@ -5,6 +5,7 @@
 #include "base/Digits.h"
 #include "base/InsideRule.h"
 #include "base/Refusal.h"
+#include "diagnosis/InsideOutAdvice.h"
 #include "messages/Options.h"
 #include "pipeline/ErrorReports.h"
 #include "pipeline/FreeMemory.h"
@@ -15,7 +16,6 @@
 #include "private/source/CellChecks.h"
 #include "private/source/SourceParts.h"
 #include "private/source/SourceProperties.h"
-#include "report/InsideOutAdvice.h"
 #include "voxels/BlockSurface.h"
 
 #include "vtkArrayDispatch.h"

@@ -39,6 +39,12 @@ std::string checkOrientation(Choices& choices);
 /// Mirrors, bases and welding of surfaces: CompletionCheck.cxx.
 std::string checkCompletion(Choices& choices);
 
+/// What is said of a source, and the lines that tell it: DiagnosisCheck.cxx.
+std::string checkDiagnosis(Choices& choices);
+
+/// The time of that beside the answer's.
+std::string checkDiagnosisTime(Choices& choices);
+
 /// Level roots and edges of grids: LevelCheck.cxx.
 std::string checkLevel(Choices& choices);
 
@@ -76,14 +82,15 @@ std::string worstTime();
 /// The growth of time with the number of triangles that crowd at a place: GrowthCheck.cxx.
 std::string checkGrowth(Choices& choices);
 
-/// All checks but checkTime(), checkSoupTime() and checkGrowth(), by name.
+/// All checks that time nothing, by name.
 inline std::vector<NamedCheck> allChecks()
 {
   return {{"surface_field", checkSurfaceField}, {"cloud_field", checkCloudField},
     {"coverage", checkCoverage}, {"fractions", checkFractions}, {"orientation", checkOrientation},
-    {"completion", checkCompletion}, {"level", checkLevel}, {"boolean", checkBoolean},
-    {"shape", checkShape}, {"nearest", checkNearest}, {"voxel_trees", checkVoxelTrees},
-    {"sharp", checkSharp}, {"lattice", checkLattice}, {"library", checkLibrary}};
+    {"completion", checkCompletion}, {"diagnosis", checkDiagnosis}, {"level", checkLevel},
+    {"boolean", checkBoolean}, {"shape", checkShape}, {"nearest", checkNearest},
+    {"voxel_trees", checkVoxelTrees}, {"sharp", checkSharp}, {"lattice", checkLattice},
+    {"library", checkLibrary}};
 }
 
 } // namespace fuzz

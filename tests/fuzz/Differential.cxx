@@ -72,8 +72,8 @@ int main(int argc, char** argv)
   std::vector<fuzz::NamedCheck> checks;
   if (only == "time")
   {
-    checks = {
-      {"time", fuzz::checkTime}, {"soup_time", fuzz::checkSoupTime}, {"growth", fuzz::checkGrowth}};
+    checks = {{"time", fuzz::checkTime}, {"soup_time", fuzz::checkSoupTime},
+      {"growth", fuzz::checkGrowth}, {"diagnosis_time", fuzz::checkDiagnosisTime}};
   }
   else if (only == "growth")
   {

@@ -18,6 +18,10 @@ class BitField final : public winding::Field
 public:
   std::vector<unsigned char> inside; ///< by sample number
 
+  const winding::Diagnosis& diagnosis() const override
+  {
+    throw std::logic_error("a field of bits has no source");
+  }
   const winding::FieldInfo& info() const override { return info_; }
   void gradient(
     const winding::VectorsView& samples, double* gradients, winding::Executor&) const override

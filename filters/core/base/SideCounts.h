@@ -37,6 +37,21 @@ struct SideCounts
   }
 };
 
+/// Counts about 100 000 of the `values` values, evenly spread over them, or all where there are
+/// fewer.
+template <class ValueAt>
+SideCounts countSides(std::size_t values, double threshold, const ValueAt& valueAt)
+{
+  constexpr std::size_t most = 100'000;
+  const std::size_t step = values / most + 1;
+  SideCounts counts;
+  for (std::size_t i = 0; i < values; i += step)
+  {
+    counts.add(valueAt(i), threshold);
+  }
+  return counts;
+}
+
 /// Adds up what any number of threads count at once. Threads do not wait for each other: a few
 /// share a place at most.
 class SideTally

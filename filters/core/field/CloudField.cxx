@@ -110,6 +110,7 @@ CloudField::CloudField(
   this->regularize(options.regularization);
   sum_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
   this->chooseMethod(options, executor);
+  diagnosis_ = std::make_unique<Diagnosis>(cloud_, info_.hasNoSides);
 }
 
 CloudField::~CloudField() = default;

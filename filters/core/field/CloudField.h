@@ -4,6 +4,7 @@
 
 #include "base/Executor.h"
 #include "base/Views.h"
+#include "diagnosis/Diagnosis.h"
 #include "farfield/FarField.h"
 #include "field/Field.h"
 #include "source/PointCloud.h"
@@ -26,6 +27,7 @@ public:
   void gradient(const VectorsView& samples, double* gradients, Executor& executor) const override;
 
   const PointCloud* cloud() const override { return &cloud_; }
+  const Diagnosis& diagnosis() const override { return *diagnosis_; }
   std::size_t expectedBytes(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
   double jumpWithin(const Eigen::Vector3d& sample, double distance) const override;
@@ -51,6 +53,7 @@ private:
 
   PointCloud cloud_;
   FieldInfo info_;
+  std::unique_ptr<const Diagnosis> diagnosis_;
   bool isAskedFor_ = false;                  ///< whether the user chose the method
   std::unique_ptr<const FarField> farField_; ///< null unless the method is hierarchical
   std::unique_ptr<const DipoleSum> sum_;

@@ -25,6 +25,7 @@
 namespace winding
 {
 
+class Diagnosis;
 class DistanceTree;
 class Evaluator;
 class GradientEvaluator;
@@ -202,6 +203,9 @@ public:
   virtual ~Field();
 
   virtual const FieldInfo& info() const = 0;
+
+  /// Returns what is to be said of the source and of results, which is found out when it is asked.
+  virtual const Diagnosis& diagnosis() const = 0;
 
   ///@{
   /**

@@ -31,25 +31,6 @@
 namespace winding
 {
 
-namespace
-{
-
-/// Returns whether triangles that are connected through vertices are closed by themselves.
-bool hasClosedPiece(const Surface& surface, const BoundaryEdges& boundary)
-{
-  VertexPieces pieces(surface);
-  std::vector<char> isOpen(surface.vertices.size(), 0);
-  for (const BoundaryEdge& edge : boundary)
-  {
-    char& isOpenPiece = isOpen[static_cast<std::size_t>(pieces.sets.find(edge.from))];
-    pieces.count -= !isOpenPiece;
-    isOpenPiece = 1;
-  }
-  return pieces.count > 0;
-}
-
-} // namespace
-
 SurfaceField::SurfaceField(
   const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)
   : surface_(sanitize(views, executor))
@@ -75,26 +56,29 @@ SurfaceField::SurfaceField(
   }
   BoundaryChain chain = boundaryChain(surface_, executor);
   info_.boundaryEdges = chain.edgesOfOneTriangle;
-  info_.contradictingEdges = chain.contradictingEdges;
+  info_.contradictingEdges = chain.contradictions.size();
   info_.netBoundaryEdges = chain.edges.size();
   this->takeEqualTogether(chain.crowdedVertices);
   info_.distinct = distinct_->triangles.size();
-  std::optional<SurfaceEdges> edges;
-  const EdgesOnce edgesOnce = [&]() -> const SurfaceEdges&
-  {
-    return edges ? *edges : edges.emplace(edgesOf(surface_, executor));
-  };
-  if (!options.orientFaces)
-  {
-    this->warnOfRepeatedFaces(chain, views, edgesOnce, executor);
-  }
-  this->warnOfContradictions(edgesOnce);
-  this->warnOfOpenParts(chain, edgesOnce, executor);
+  info_.hasNoSides = !merged_.multiplicities.empty() && merged_.multiplicities.back() == 0;
   if (!chain.edges.empty() && info_.added == 0)
   {
     info_.openings = openingsOf(chain.edges, surface_, this->area());
   }
   this->chooseMethod(options, chain, executor);
+  SurfaceFacts facts;
+  facts.surface = &surface_;
+  facts.distinct = distinct_;
+  facts.netBoundaryEdges = info_.netBoundaryEdges;
+  facts.hasRims = info_.boundaryEdges > 0;
+  facts.hasNoSides = info_.hasNoSides;
+  // A vertex is listed for each of its edges.
+  facts.hasManyCrowds = 10 * chain.crowdedVertices.size() > surface_.vertices.size();
+  facts.contradictions = std::move(chain.contradictions);
+  facts.openings = info_.openings;
+  facts.isOriented = options.orientFaces;
+  facts.isSheet = info_.added != 0;
+  diagnosis_ = std::make_unique<Diagnosis>(std::move(facts));
   boundaryGradient_ = std::make_unique<BoundaryGradient>(surface_, std::move(chain.edges));
 }
 
@@ -170,13 +154,16 @@ void SurfaceField::complete(
 /// Makes the surface that is summed another one, where triangles are equal to each other.
 void SurfaceField::takeEqualTogether(const std::vector<std::int32_t>& crowdedVertices)
 {
-  std::vector<char> mayRepeat(surface_.vertices.size(), 0);
+  // The two sides of a single face, which no other touches, are looked for in small surfaces.
+  constexpr std::size_t few = 1000;
+  const bool isSmall = surface_.triangles.size() <= few;
+  std::vector<char> mayRepeat(surface_.vertices.size(), static_cast<char>(isSmall));
   for (const std::int32_t vertex : crowdedVertices)
   {
     mayRepeat[vertex] = 1;
   }
   std::optional<DistinctTriangles> distinct;
-  if (!crowdedVertices.empty())
+  if (isSmall || !crowdedVertices.empty())
   {
     distinct = distinctTriangles(surface_.triangles, mayRepeat);
   }
@@ -198,105 +185,6 @@ void SurfaceField::takeEqualTogether(const std::vector<std::int32_t>& crowdedVer
     }
     merged_.bounds = surface_.bounds;
     distinct_ = &merged_;
-  }
-}
-
-/// Returns whether there are faces twice among the triangles whose corners are all crowded, as
-/// quadrilaterals are that are cut along one diagonal and the other.
-bool SurfaceField::repeatsCrowdedFaces(const BoundaryChain& chain) const
-{
-  if (chain.crowdedVertices.empty())
-  {
-    return false;
-  }
-  std::vector<char> isCrowded(surface_.vertices.size(), 0), isChosen;
-  for (const std::int32_t vertex : chain.crowdedVertices)
-  {
-    isCrowded[vertex] = 1;
-  }
-  for (const Triangle& t : surface_.triangles)
-  {
-    isChosen.push_back(static_cast<char>(isCrowded[t[0]] && isCrowded[t[1]] && isCrowded[t[2]]));
-  }
-  return repeatedFaces(SurfacePart(surface_, isChosen, true).chain, PolygonParts()).areAny();
-}
-
-/// Warns of faces that are there more than once, unless they are walls between solids that touch.
-void SurfaceField::warnOfRepeatedFaces(const BoundaryChain& chain,
-  const std::vector<TrianglesView>& views, const EdgesOnce& edgesOnce, Executor& executor)
-{
-  // Nearly all surfaces have no face twice, which edges show. The two sides of a single face, which
-  // no other touches, are looked for in small surfaces.
-  constexpr std::size_t few = 1000;
-  const bool hasPolygons = std::any_of(views.begin(), views.end(),
-    [](const TrianglesView& view) { return view.isContinued != nullptr; });
-  if (merged_.triangles.empty() && surface_.triangles.size() > few &&
-      (hasPolygons ? chain.crowdedVertices.empty() : !this->repeatsCrowdedFaces(chain)))
-  {
-    return;
-  }
-  PolygonParts parts = polygonPartsOf(views);
-  if (parts.size() != surface_.triangles.size())
-  {
-    parts.clear(); // parts that were left out have taken polygons' numbers with them
-  }
-  const RepeatedFaces faces = repeatedFaces(surface_, parts);
-  info_.hasNoSides = faces.cancelAll();
-  if (info_.hasNoSides)
-  {
-    info_.warnings.push_back(twoSidedAdvice());
-  }
-  else if (faces.areAny())
-  {
-    const std::vector<char> isLeftOut =
-      facesToLeaveOut(surface_, edgesOnce(), faces, parts, executor);
-    const auto count =
-      static_cast<std::size_t>(std::count(isLeftOut.begin(), isLeftOut.end(), char(1)));
-    if (count > 0)
-    {
-      info_.warnings.emplace_back("faces are there more than once: they add up, or cancel",
-        std::vector<Remedy>{{"take each once", {{Parameter::orientFaces, 1}}}},
-        std::to_string(count) + " of " + std::to_string(isLeftOut.size()) + " triangles");
-    }
-  }
-}
-
-/// Warns of triangles that run along an edge in the same sense.
-void SurfaceField::warnOfContradictions(const EdgesOnce& edgesOnce)
-{
-  if (info_.contradictingEdges == 0)
-  {
-    return;
-  }
-  const Contradictions found = contradictionsOf(surface_, edgesOnce());
-  if (found.oneSided > 0)
-  {
-    info_.warnings.emplace_back(std::to_string(found.oneSided) +
-                                (found.oneSided == 1 ? " part has" : " parts have") +
-                                " one side only, and no orientation");
-  }
-  if (found.edges > 0)
-  {
-    info_.warnings.emplace_back("faces contradict each other, so that parts cancel",
-      std::vector<Remedy>{{"turn them", {{Parameter::orientFaces, 1}}}},
-      "two have the same sense at " + std::to_string(found.edges) +
-        (found.edges == 1 ? " edge" : " edges"));
-  }
-}
-
-/// Warns of open parts inside of closed ones.
-void SurfaceField::warnOfOpenParts(
-  const BoundaryChain& chain, const EdgesOnce& edgesOnce, Executor& executor)
-{
-  const bool mayBe = !chain.edges.empty() &&
-                     (!chain.crowdedVertices.empty() ||
-                       (chain.edgesOfOneTriangle > 0 && hasClosedPiece(surface_, chain.edges)));
-  const std::size_t parts = mayBe ? openPartsInside(surface_, edgesOnce(), executor).count : 0;
-  if (parts > 0)
-  {
-    info_.warnings.push_back(
-      openPartsAdvice(std::to_string(parts) + (parts == 1 ? " part bounds" : " parts bound") +
-                      " nothing, but w changes around " + (parts == 1 ? "it" : "them")));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "base/Evaluator.h"
 #include "base/Executor.h"
 #include "base/Views.h"
+#include "diagnosis/Diagnosis.h"
 #include "farfield/FarFieldChoice.h"
 #include "farfield/TriangleFarField.h"
 #include "field/CappedSurface.h"
@@ -12,9 +13,6 @@
 #include "rays/PointCrossings.h"
 #include "source/Surface.h"
 #include "surface/BoundaryGradient.h"
-#include "surface/SurfaceEdges.h"
-
-#include <functional>
 
 namespace winding
 {
@@ -35,6 +33,7 @@ public:
 
   const Surface* surface() const override { return &surface_; }
   const Surface* distinctSurface() const override { return distinct_; }
+  const Diagnosis& diagnosis() const override { return *diagnosis_; }
   const RowCrossings* integerRows() const override;
   std::size_t expectedBytes(std::size_t samples) const override;
   double reference(const Eigen::Vector3d& sample) const override;
@@ -55,15 +54,6 @@ private:
   void complete(
     const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor);
   void takeEqualTogether(const std::vector<std::int32_t>& crowdedVertices);
-
-  /// Gives the edges of the surface, which are found when they are first asked for.
-  using EdgesOnce = std::function<const SurfaceEdges&()>;
-
-  bool repeatsCrowdedFaces(const BoundaryChain& chain) const;
-  void warnOfRepeatedFaces(const BoundaryChain& chain, const std::vector<TrianglesView>& views,
-    const EdgesOnce& edgesOnce, Executor& executor);
-  void warnOfContradictions(const EdgesOnce& edgesOnce);
-  void warnOfOpenParts(const BoundaryChain& chain, const EdgesOnce& edgesOnce, Executor& executor);
   void chooseMethod(const FieldOptions& options, const BoundaryChain& chain, Executor& executor);
   void chooseFarField(const FieldOptions& options, const std::string& why);
   void makeFarField(double tolerance);
@@ -77,6 +67,7 @@ private:
   Surface merged_;                      ///< the surface with equal triangles taken together, if any
   const Surface* distinct_ = &surface_; ///< the one of the two that is summed
   FieldInfo info_;
+  std::unique_ptr<const Diagnosis> diagnosis_;
   mutable std::once_flag isAreaKnown_;
   mutable double area_ = 0; ///< the area of the surface, if it is known
   mutable std::once_flag isGainKnown_;

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "base/SideCounts.h"
 #include "field/Field.h"
-#include "field/InsideOut.h"
 #include "level/Bricks.h"
 #include "level/VoxelTree.h"
 

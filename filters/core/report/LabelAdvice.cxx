@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/LabelAdvice.h"
 
-#include "report/GridAdvice.h"
-#include "report/InsideOutAdvice.h"
+#include "diagnosis/Diagnosis.h"
+#include "diagnosis/GridAdvice.h"
+#include "diagnosis/InsideOutAdvice.h"
 
 namespace winding
 {
@@ -11,12 +12,12 @@ namespace winding
 void countThinParts(const Field& field, const IsSampleInside& hasLabel,
   const LabelSampling& sampling, const std::string& name, Executor& executor, LabelFacts& facts)
 {
-  const auto parts =
-    thinPartsOf(field, sampling.grid, hasLabel, sampling.rule, sampling.threshold, executor);
+  const auto parts = field.diagnosis().thinParts(
+    sampling.grid, hasLabel, sampling.rule, sampling.threshold, executor);
   if (parts && parts->areWorthTelling())
   {
     facts.lostInPart.add(name);
-    if (parts->share > facts.largestLoss.share)
+    if (parts->lostShare > facts.largestLoss.lostShare)
     {
       facts.largestLoss = *parts;
     }

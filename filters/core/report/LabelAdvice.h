@@ -5,9 +5,9 @@
 #include "base/Executor.h"
 #include "base/InsideRule.h"
 #include "base/Message.h"
+#include "diagnosis/ThinParts.h"
 #include "field/Field.h"
 #include "report/LabelFacts.h"
-#include "report/ThinParts.h"
 #include "source/Grid.h"
 
 #include <cstddef>

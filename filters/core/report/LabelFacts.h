@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "diagnosis/ThinParts.h"
 #include "field/Field.h"
 #include "report/InputUnits.h"
-#include "report/ThinParts.h"
 
 #include <cstddef>
 #include <string>

@@ -69,51 +69,6 @@ std::function<Eigen::Vector3d(double u, double v, double t)> pointOnTriangles(
   };
 }
 
-std::vector<PointOfTriangle> evenPoints(const Surface& surface, std::size_t count)
-{
-  constexpr std::size_t enough = 16384;
-  const ChainView chain(surface);
-  const std::size_t size = chain.size();
-  const std::size_t step = size < 2 * enough ? 1 : (size / enough - 1) | 1;
-  const auto& vertices = surface.vertices;
-  const auto areaVectorOf = [&](std::size_t i) -> Eigen::Vector3d
-  {
-    const Eigen::Vector3d& a = vertices[chain[i][0]];
-    return chain.multiplicity(i) == 0
-             ? Eigen::Vector3d::Zero()
-             : Eigen::Vector3d((vertices[chain[i][1]] - a).cross(vertices[chain[i][2]] - a));
-  };
-  double area = 0;
-  for (std::size_t i = 0; i < size; i += step)
-  {
-    area += areaVectorOf(i).stableNorm();
-  }
-  std::vector<PointOfTriangle> points;
-  const double perPoint = area / static_cast<double>(count);
-  double passed = 0, next = 0.5 * perPoint;
-  for (std::size_t i = 0; i < size && perPoint > 0; i += step)
-  {
-    const Eigen::Vector3d areaVector = areaVectorOf(i);
-    passed += areaVector.stableNorm();
-    for (; next < passed; next += perPoint)
-    {
-      // A sequence of low discrepancy (Roberts 2018), folded into the triangle.
-      const auto number = static_cast<double>(points.size());
-      double u = std::fmod(0.5 + 0.7548776662466927 * number, 1);
-      double v = std::fmod(0.5 + 0.5698402909980532 * number, 1);
-      if (u + v > 1)
-      {
-        u = 1 - u;
-        v = 1 - v;
-      }
-      const Triangle& t = chain[i];
-      points.push_back({i, (1 - u - v) * vertices[t[0]] + u * vertices[t[1]] + v * vertices[t[2]],
-        areaVector.stableNormalized()});
-    }
-  }
-  return points;
-}
-
 double distanceBetweenSamples(const Bounds& bounds, std::size_t samples)
 {
   if (bounds.isEmpty() || samples == 0)

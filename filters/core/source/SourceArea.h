@@ -28,18 +28,6 @@ double approximateAreaOf(
 std::function<Eigen::Vector3d(double u, double v, double t)> pointOnTriangles(
   const std::vector<Eigen::Vector3d>& vertices, const TriangleList& triangles);
 
-struct PointOfTriangle
-{
-  std::size_t triangle;
-  Eigen::Vector3d position;
-  Eigen::Vector3d normal; ///< of unit length
-};
-
-/// Returns about `count` points that are spread evenly over the area of a surface; of more than
-/// 32768 triangles it takes some, evenly chosen. Triangles that count 0 times are left out. The
-/// points depend on the order of the triangles.
-std::vector<PointOfTriangle> evenPoints(const Surface& surface, std::size_t count);
-
 /// The distance between samples, if `samples` of them are spread evenly over a box that is larger
 /// than the bounds by a twentieth of the longest side on each side, as grids usually are. 0 if
 /// there is none.

@@ -49,7 +49,11 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
       {
         const std::int32_t high = first->high(), net = netOf(first, last);
         part.edgesOfOneTriangle += last - first == 1;
-        part.contradictingEdges += last - first == 2 && net != 0;
+        if (last - first == 2 && net != 0)
+        {
+          part.contradictions.push_back(
+            {low, high, {first[0].triangle(), first[1].triangle()}});
+        }
         if (last - first > 2 || net == 2 || net == -2)
         {
           part.crowdedVertices.insert(part.crowdedVertices.end(), {low, high});
@@ -81,7 +85,8 @@ BoundaryChain boundaryChain(const Surface& surface, Executor& executor)
   for (const BoundaryChain& part : parts)
   {
     chain.edgesOfOneTriangle += part.edgesOfOneTriangle;
-    chain.contradictingEdges += part.contradictingEdges;
+    chain.contradictions.insert(
+      chain.contradictions.end(), part.contradictions.begin(), part.contradictions.end());
     chain.crowdedVertices.insert(
       chain.crowdedVertices.end(), part.crowdedVertices.begin(), part.crowdedVertices.end());
     starts.push_back(starts.back() + part.edges.size());

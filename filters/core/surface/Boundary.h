@@ -26,6 +26,13 @@ struct BoundaryEdge
 
 using BoundaryEdges = UninitializedVector<BoundaryEdge>;
 
+/// An edge that two triangles use in the same sense.
+struct Contradiction
+{
+  std::int32_t low, high; ///< its vertices
+  std::int32_t triangles[2];
+};
+
 struct BoundaryChain
 {
   /// The edges stand in the order of (lower vertex, higher vertex), which depends on the numbers of
@@ -38,8 +45,9 @@ struct BoundaryChain
   /// odd numbers.
   std::size_t edgesOfOneTriangle = 0;
 
-  /// The number of edges that two triangles use in the same sense: they contradict each other.
-  std::size_t contradictingEdges = 0;
+  /// The edges that two triangles use in the same sense, in the order of (lower vertex, higher
+  /// vertex).
+  std::vector<Contradiction> contradictions;
 
   /// The ends of all edges that more than two triangles use, or two in the same sense: each edge of
   /// a triangle that is there more than once is one of these, except for two opposite triangles

@@ -3,6 +3,7 @@
 #include "private/source/SourceField.h"
 
 #include "base/Refusal.h"
+#include "diagnosis/Diagnosis.h"
 #include "private/source/ContentHash.h"
 #include "private/source/FramedViews.h"
 #include "private/source/SourceMemory.h"
@@ -83,8 +84,11 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
     }
     options_ = options.field;
     info_ = field_->info();
-    const std::vector<Message> notes = notesOn(views->cellCounts());
-    info_.warnings.insert(info_.warnings.end(), notes.begin(), notes.end());
+    for (const std::vector<Message>& notes :
+      {field_->diagnosis().ofSource(executor), notesOn(views->cellCounts())})
+    {
+      info_.warnings.insert(info_.warnings.end(), notes.begin(), notes.end());
+    }
   }
   return *field_;
 }

@@ -5,7 +5,7 @@
 #include "base/Digits.h"
 #include "base/InsideRule.h"
 #include "base/Message.h"
-#include "field/InsideOut.h"
+#include "base/SideCounts.h"
 
 #include <string>
 #include <vector>

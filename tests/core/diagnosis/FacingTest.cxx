@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "field/InsideOut.h"
+#include "diagnosis/Diagnosis.h"
 
 #include "base/Bounds.h"
 #include "base/Executor.h"
+#include "diagnosis/InsideOutAdvice.h"
+#include "field/Field.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -38,11 +40,16 @@ Grid gridOver(const Point& low, const Point& high)
   return winding::layOutGrid(request);
 }
 
+winding::Facing facingOf(const Field& field, const winding::SideCounts& sides)
+{
+  winding::SerialExecutor serial;
+  return field.diagnosis().facing(sides, winding::InsideRule::signedThreshold, 0.5, serial);
+}
+
 /// Whether the source of a field looks inward by these sides.
 bool looksInward(const Field& field, const winding::SideCounts& sides)
 {
-  winding::SerialExecutor serial;
-  return winding::inwardnessOf(field, sides, serial) == winding::Inwardness::solids;
+  return facingOf(field, sides).looksInward;
 }
 
 ///@{
@@ -116,7 +123,7 @@ Cloud inwardCloud()
 
 } // namespace
 
-TEST(InsideOut, IsASourceThatLooksInward)
+TEST(Facing, IsASourceThatLooksInward)
 {
   const Grid around = gridOver({-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2});
   const Mesh inward = icosphere(2).reversed();
@@ -128,7 +135,7 @@ TEST(InsideOut, IsASourceThatLooksInward)
   expectInsideOut(*fieldOf(inwardCloud()), within, true);
 }
 
-TEST(InsideOut, IsNotASourceThatSamplesMiss)
+TEST(Facing, IsNotASourceThatSamplesMiss)
 {
   const Grid beside = gridOver({1.2, -1, -1}, {2, 1, 1});
   for (const Mesh& mesh : {icosphere(2), icosphere(2).reversed(), icosphere(2).part(0, 250)})
@@ -142,14 +149,14 @@ TEST(InsideOut, IsNotASourceThatSamplesMiss)
   EXPECT_FALSE(looksInward(*ball, sidesOf(*ball, winding::VectorsView(), 0.5)));
 }
 
-TEST(InsideOut, IsNoSolidThatIsInsideOfAllItsSamples)
+TEST(Facing, IsNoSolidThatIsInsideOfAllItsSamples)
 {
   const auto field = fieldOf(icosphere(2));
   const Grid inner = gridOver(Point(-0.1, -0.1, -0.1), Point(0.1, 0.1, 0.1));
   EXPECT_EQ(sidesOf(*field, inner, 0.5).negative, 0u);
 }
 
-TEST(InsideOut, IsNotAnOutwardCloudWhosePointsAreNearSamples)
+TEST(Facing, IsNotAnOutwardCloudWhosePointsAreNearSamples)
 {
   // A little before its points, w is far below −0.5.
   const Cloud cloud = sphereCloud(500);
@@ -165,7 +172,7 @@ TEST(InsideOut, IsNotAnOutwardCloudWhosePointsAreNearSamples)
   EXPECT_TRUE(looksInward(*fieldOf(inwardCloud()), farBelow()));
 }
 
-TEST(InsideOut, IsNoSetOfOpenSheets)
+TEST(Facing, IsNoSetOfOpenSheets)
 {
   // Three squares through each other: w is 0.5 and −0.5 at the sides of each, with 0 of the others.
   Mesh sheets;
@@ -187,13 +194,13 @@ TEST(InsideOut, IsNoSetOfOpenSheets)
   winding::SideCounts sides;
   sides.samples = 100;
   sides.negative = sides.inside = 4;
-  winding::SerialExecutor serial;
-  EXPECT_EQ(winding::inwardnessOf(*field, sides, serial), winding::Inwardness::sheets);
+  ASSERT_TRUE(facingOf(*field, sides).warning);
+  EXPECT_EQ(facingOf(*field, sides).warning->fault, winding::openSheetsAdvice().fault);
   const auto box = fieldOf(openCube().reversed());
-  EXPECT_EQ(winding::inwardnessOf(*box, sides, serial), winding::Inwardness::solids);
+  EXPECT_TRUE(looksInward(*box, sides));
 }
 
-TEST(InsideOut, IsASurfaceOfWhichAHundredthIsNegative)
+TEST(Facing, IsASurfaceOfWhichAHundredthIsNegative)
 {
   const auto field = fieldOf(icosphere(1));
   const auto looksInwardWith = [&field](std::size_t negative, std::size_t inside)
@@ -212,7 +219,7 @@ TEST(InsideOut, IsASurfaceOfWhichAHundredthIsNegative)
   EXPECT_FALSE(looksInwardWith(0, 0));
 }
 
-TEST(InsideOut, NeedsAThresholdAboveZero)
+TEST(Facing, NeedsAThresholdAboveZero)
 {
   const Mesh inward = icosphere(2).reversed();
   const Grid around = gridOver({-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2});

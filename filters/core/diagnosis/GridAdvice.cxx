@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/GridAdvice.h"
+#include "diagnosis/GridAdvice.h"
 
 #include "base/Digits.h"
 #include "base/Refusal.h"
@@ -48,8 +48,11 @@ std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, const 
     {
       remedies.push_back(lowerThreshold());
     }
-    remedies.push_back(smallerVoxels());
-    remedies.push_back({"choose a grid around the source", {Parameter::samplingBounds}});
+    if (!result.isSheet)
+    {
+      remedies.push_back(smallerVoxels());
+      remedies.push_back({"choose a grid around the source", {Parameter::samplingBounds}});
+    }
     remedies.push_back({"look whether the source is closed", {Parameter::surfaceReport}});
     if (result.mayTouch)
     {

@@ -5,7 +5,7 @@
 #include "base/Bounds.h"
 #include "base/Message.h"
 #include "base/SolidShape.h"
-#include "report/ThinParts.h"
+#include "diagnosis/ThinParts.h"
 #include "source/Grid.h"
 
 #include <optional>
@@ -20,6 +20,7 @@ struct GridResult
   bool mayTouch = false;          ///< whether voxels could count that the source touches
   std::optional<ThinParts> parts; ///< that the grid does not show
   bool hasHighThreshold = false;  ///< whether w must be more than ½ to be inside
+  bool isSheet = false;           ///< whether the source is nearly plane, and open
 };
 
 /**

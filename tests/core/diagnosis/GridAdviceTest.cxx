@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/GridAdvice.h"
+#include "diagnosis/GridAdvice.h"
 
 #include <gtest/gtest.h>
 

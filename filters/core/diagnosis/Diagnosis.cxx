@@ -1,0 +1,718 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "diagnosis/Diagnosis.h"
+
+#include "base/Digits.h"
+#include "cloud/CloudOrientation.h"
+#include "diagnosis/InsideOutAdvice.h"
+#include "source/UnitScale.h"
+#include "sums/DirectSum.h"
+#include "surface/Components.h"
+#include "surface/OpenParts.h"
+#include "surface/Orientation.h"
+#include "surface/RepeatedFaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace winding
+{
+
+namespace
+{
+
+/// Walls that lines are drawn through to find whether they bound something.
+constexpr std::size_t wallsToCheck = 48;
+
+/// Returns the number of points that walls are measured at: more of large surfaces, for which few
+/// other sides are met.
+std::size_t wallPoints(const Surface& surface)
+{
+  constexpr std::size_t large = 1 << 17;
+  return surface.triangles.size() > large ? 1024 : 512;
+}
+
+/// Returns `count` items of a list, evenly chosen, or all where there are fewer.
+template <class Item> std::vector<Item> evenly(const std::vector<Item>& items, std::size_t count)
+{
+  std::vector<Item> chosen;
+  count = std::min(count, items.size());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    chosen.push_back(items[i * items.size() / count]);
+  }
+  return chosen;
+}
+
+/// Returns the surface's area in units of the largest side of its bounds: how many triangles a line
+/// meets, up to a factor.
+double layersOf(const Surface& surface, const std::vector<SurfaceSample>& points)
+{
+  double area = 0;
+  for (const SurfaceSample& point : points)
+  {
+    area += point.weight;
+  }
+  const Eigen::Vector3d sizes = unitScale(surface.bounds) * surface.bounds.sizes();
+  const double side =
+    std::max({sizes[0] * sizes[1], sizes[1] * sizes[2], sizes[2] * sizes[0]});
+  return side > 0 ? area / side : 1;
+}
+
+/// Returns the number of lines, `most` or fewer, that meet no more triangles than a fixed number
+/// and a quarter of all.
+std::size_t affordableLines(
+  const Surface& surface, const std::vector<SurfaceSample>& points, std::size_t most)
+{
+  constexpr double fewest = 64;
+  const double crossings = 0x1p15 + static_cast<double>(surface.triangles.size()) / 4;
+  const double layers = std::max(1.0, layersOf(surface, points));
+  return std::min(most, static_cast<std::size_t>(std::max(fewest, crossings / layers)));
+}
+
+/// Returns whether a triangle is so thin that rounding of its corners decides which way it looks.
+bool isNeedle(const Surface& surface, const Triangle& t)
+{
+  const double scale = unitScale(surface.bounds);
+  const Eigen::Vector3d u = scale * (surface.vertices[t[1]] - surface.vertices[t[0]]);
+  const Eigen::Vector3d v = scale * (surface.vertices[t[2]] - surface.vertices[t[0]]);
+  const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()});
+  constexpr double thin = 1e-6;
+  return u.cross(v).norm() <= thin * longest;
+}
+
+/// Returns whether a face that is there several times has copies too many. Closed solids that overlap
+/// may share faces.
+bool addsUp(const SampleLine& line)
+{
+  return std::abs(line.step) > 1 && !line.isClear();
+}
+
+/// Returns whether the two senses of a face cancel that may be the skin of a solid: nothing is inside
+/// on either side, and there is another face behind it. Between two solids they should cancel.
+bool mayCancelSkin(const SampleLine& line)
+{
+  return line.step == 0 && line.isClear() && line.before == 0 &&
+         (line.facesBefore + line.facesBehind) % 2 != 0;
+}
+
+/// Adds a place at some height above a point three times, for lines along each axis.
+void addAlongAxes(const SurfaceSample& point, double height, std::vector<SurfaceSample>& to)
+{
+  SurfaceSample place = point;
+  place.position += height * point.normal;
+  place.triangle = -1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    place.normal = Eigen::Vector3d::Unit(axis);
+    to.push_back(place);
+  }
+}
+
+/// Returns whether a surface looks inward at a point, by the line along its normal and the lines
+/// along all axes after it: an open one may do so along a single axis by chance.
+bool isInward(const SampleLine* lines)
+{
+  return lines->isClear() && lines->before < 0 && lines->behind <= 0 &&
+         std::count_if(lines + 1, lines + 4,
+           [](const SampleLine& line) { return line.isClear() && line.before < 0; }) >= 2;
+}
+
+/// Returns whether a face with two senses lies on the skin of a solid, by three lines each through
+/// places just behind it and just before it. Seen along the axes, an odd number of faces lies on
+/// either side of one of them, and an even number of the other. One of the axes may pass a hole.
+bool areOnSkin(const SampleLine* lines)
+{
+  const auto areMost = [](const SampleLine* first, int parity)
+  {
+    return std::count_if(first, first + 3, [parity](const SampleLine& line)
+             { return line.facesBefore % 2 == parity && line.facesBehind % 2 == parity; }) >= 2;
+  };
+  return (areMost(lines, 0) && areMost(lines + 3, 1)) ||
+         (areMost(lines, 1) && areMost(lines + 3, 0));
+}
+
+/// Returns a count to two digits.
+std::string aboutCount(double count)
+{
+  const double digit = std::pow(10, std::max(0.0, std::floor(std::log10(count)) - 1));
+  return "about " + std::to_string(std::llround(std::max(1.0, std::round(count / digit) * digit)));
+}
+
+} // namespace
+
+Message emptySourceAdvice(bool isWelded)
+{
+  std::vector<Remedy> remedies = {{"give a surface or points", {}}};
+  if (isWelded)
+  {
+    remedies.push_back({"weld less", {Parameter::weldTolerance}});
+  }
+  return Message("the source is empty, so its field is 0", remedies);
+}
+
+Diagnosis::Diagnosis(SurfaceFacts facts)
+  : facts_(std::move(facts))
+{
+}
+
+Diagnosis::Diagnosis(const PointCloud& cloud, bool hasNoSides)
+  : cloud_(&cloud)
+{
+  facts_.hasNoSides = hasNoSides;
+}
+
+const SurfaceSamples& Diagnosis::points(Executor& executor) const
+{
+  const std::lock_guard<std::recursive_mutex> lock(lock_);
+  if (!points_)
+  {
+    points_ = sampleSurface(*facts_.distinct, wallPoints(*facts_.distinct), executor);
+  }
+  return *points_;
+}
+
+const Diagnosis::Lines& Diagnosis::lines(Executor& executor) const
+{
+  const std::lock_guard<std::recursive_mutex> lock(lock_);
+  if (!lines_)
+  {
+    const Surface& surface = *facts_.distinct;
+    const SurfaceSamples& all = this->points(executor);
+    Lines lines;
+    constexpr std::size_t most = 40, mostRepeated = 16;
+    constexpr std::size_t perPoint = 4, perRepeated = 7; // lines
+    lines.points =
+      evenly(all.points, affordableLines(surface, all.points, perPoint * most) / perPoint);
+    std::vector<std::int32_t> repeated;
+    for (std::size_t i = 0; i < surface.multiplicities.size(); ++i)
+    {
+      if (surface.multiplicities[i] != 1)
+      {
+        repeated.push_back(static_cast<std::int32_t>(i));
+      }
+    }
+    lines.repeated = sampleTriangles(surface,
+      chooseTriangles(
+        surface, repeated, affordableLines(surface, all.points, perRepeated * mostRepeated) / perRepeated));
+    std::vector<SurfaceSample> samples;
+    const double height = 1e-4 * surface.bounds.sizes().maxCoeff();
+    for (const SurfaceSample& point : lines.points)
+    {
+      samples.push_back(point);
+      addAlongAxes(point, height, samples);
+    }
+    for (const SurfaceSample& point : lines.repeated)
+    {
+      samples.push_back(point);
+      addAlongAxes(point, -height, samples);
+      addAlongAxes(point, height, samples);
+    }
+    lines.lines = linesThrough(surface, samples, all.extents, executor);
+    lines_ = std::move(lines);
+  }
+  return *lines_;
+}
+
+const WallSamples& Diagnosis::walls(Executor& executor) const
+{
+  const std::lock_guard<std::recursive_mutex> lock(lock_);
+  if (!walls_)
+  {
+    const Surface& surface = *facts_.distinct;
+    const SurfaceSamples& all = this->points(executor);
+    WallSamples walls;
+    walls.points = evenly(all.points, affordableLines(surface, all.points, wallPoints(surface)));
+    walls.shareOfFound = all.shareOfSome;
+    for (const SampleLine& line : linesThrough(
+           surface, walls.points, all.extents, executor, all.some.empty() ? nullptr : &all.some))
+    {
+      walls.thicknesses.push_back(line.wall);
+    }
+    walls_ = std::move(walls);
+  }
+  return *walls_;
+}
+
+std::vector<Message> Diagnosis::ofSource(Executor& executor) const
+{
+  const std::lock_guard<std::recursive_mutex> lock(lock_);
+  if (!faults_)
+  {
+    faults_ = this->findFaults(executor);
+  }
+  return *faults_;
+}
+
+std::vector<Message> Diagnosis::findFaults(Executor& executor) const
+{
+  std::vector<Message> faults;
+  if (cloud_)
+  {
+    return faults;
+  }
+  if (facts_.hasNoSides)
+  {
+    return {twoSidedAdvice()};
+  }
+  const Surface& surface = *facts_.surface;
+  if (!facts_.isOriented)
+  {
+    if (const auto repeated = this->findRepeatedFaces(executor))
+    {
+      faults.push_back(*repeated);
+    }
+  }
+  Contradictions found;
+  if (this->doContradictionsMatter())
+  {
+    constexpr std::size_t mostForPatches = 16384;
+    found.edges = facts_.contradictions.size();
+    found = surface.triangles.size() <= mostForPatches
+              ? contradictionsOf(surface, edgesOf(surface, executor))
+              : found;
+  }
+  if (found.oneSided > 0)
+  {
+    faults.emplace_back(std::to_string(found.oneSided) +
+                        (found.oneSided == 1 ? " part has" : " parts have") +
+                        " one side only, and no orientation");
+  }
+  if (found.edges > 0)
+  {
+    faults.emplace_back("faces contradict each other, so that parts cancel",
+      std::vector<Remedy>{{"turn them", {{Parameter::orientFaces, 1}}}},
+      "two have the same sense at " + std::to_string(found.edges) +
+        (found.edges == 1 ? " edge" : " edges"));
+  }
+  if (const auto open = this->findOpenParts(executor))
+  {
+    faults.push_back(*open);
+  }
+  return faults;
+}
+
+/// Returns whether edges of faces that contradict each other are long enough together to matter:
+/// where the surface has holes, too, short ones do not. Needles bound nothing.
+bool Diagnosis::doContradictionsMatter() const
+{
+  const Surface& surface = *facts_.surface;
+  double length = 0;
+  for (const Contradiction& edge : facts_.contradictions)
+  {
+    const bool isOfNeedle = isNeedle(surface, surface.triangles[edge.triangles[0]]) ||
+                            isNeedle(surface, surface.triangles[edge.triangles[1]]);
+    length +=
+      isOfNeedle ? 0 : (surface.vertices[edge.low] - surface.vertices[edge.high]).stableNorm();
+  }
+  const double least = facts_.hasRims ? 0.15 : 1e-3;
+  return length > least * surface.bounds.sizes().maxCoeff();
+}
+
+std::optional<Message> Diagnosis::findRepeatedFaces(Executor& executor) const
+{
+  const std::size_t repeats = facts_.surface->triangles.size() - facts_.distinct->triangles.size();
+  if (repeats == 0 ? !facts_.hasManyCrowds : !this->areLarge(repeats))
+  {
+    return std::nullopt;
+  }
+  const Lines& found = this->lines(executor);
+  const std::vector<Remedy> remedies = {{"take each once", {{Parameter::orientFaces, 1}}}};
+  const std::string fault = "faces are there more than once: they add up, or cancel";
+  if (repeats > 0)
+  {
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < found.repeated.size(); ++i)
+    {
+      const SampleLine* const lines = found.ofRepeated(i);
+      wrong += addsUp(lines[0]) || (mayCancelSkin(lines[0]) && areOnSkin(lines + 1));
+    }
+    const std::size_t all = found.repeated.size();
+    const double count = static_cast<double>(wrong * repeats) / static_cast<double>(all + !all);
+    return wrong > 0
+             ? std::optional<Message>({fault, remedies,
+                 (wrong == all ? std::to_string(repeats) : aboutCount(count)) + " of " +
+                   std::to_string(facts_.surface->triangles.size()) + " triangles"})
+             : std::nullopt;
+  }
+  // Copies that are cut into other triangles lie in the same place.
+  double wrong = 0, all = 0;
+  for (std::size_t i = 0; i < found.points.size(); ++i)
+  {
+    const SampleLine& line = *found.ofPoint(i);
+    all += found.points[i].weight;
+    wrong += line.isRepeated && (addsUp(line) || mayCancelSkin(line)) ? found.points[i].weight : 0;
+  }
+  constexpr double least = 0.1; // chance may find less
+  return wrong > least * all ? std::optional<Message>(
+                                 {fault, remedies, "about " + percentOf(wrong / all) + " of the surface"})
+                             : std::nullopt;
+}
+
+/// Returns whether repeated triangles may matter: those of large surfaces have a thousandth of the
+/// area.
+bool Diagnosis::areLarge(std::size_t repeats) const
+{
+  constexpr std::size_t large = 1 << 16;
+  const Surface& surface = *facts_.distinct;
+  if (surface.triangles.size() <= large || 100 * repeats > surface.triangles.size())
+  {
+    return true;
+  }
+  const ChainView chain(surface);
+  const double scale = unitScale(surface.bounds);
+  double area = 0;
+  for (std::size_t i = 0; i < chain.size(); ++i)
+  {
+    const Triangle& t = chain[i];
+    const auto sideTo = [&](int corner) -> Eigen::Vector3d
+    {
+      return scale * (surface.vertices[t[corner]] - surface.vertices[t[0]]);
+    };
+    area += chain.multiplicity(i) == 1 ? 0 : sideTo(1).cross(sideTo(2)).norm() / 2;
+  }
+  const Eigen::Vector3d sizes = scale * surface.bounds.sizes();
+  return area > 1e-3 * sizes.maxCoeff() * sizes.maxCoeff();
+}
+
+std::optional<Message> Diagnosis::findOpenParts(Executor& executor) const
+{
+  if (!facts_.hasRims || facts_.isSheet)
+  {
+    return std::nullopt;
+  }
+  const Lines& found = this->lines(executor);
+  double all = 0, open = 0;
+  std::vector<SurfaceSample> inside;
+  for (std::size_t i = 0; i < found.points.size(); ++i)
+  {
+    const SampleLine* const lines = found.ofPoint(i);
+    all += found.points[i].weight;
+    // Seen along the other axes, open parts lie in closed ones.
+    const auto axes = std::count_if(lines + 1, lines + 4,
+      [](const SampleLine& line) { return line.isClear() && line.before > 0; });
+    if (!lines->isClear() && lines->step != 0 && lines->before > 0 && axes >= 2)
+    {
+      inside.push_back(found.points[i]);
+      open += found.points[i].weight;
+    }
+  }
+  constexpr double least = 0.01;
+  return open > least * all && this->changeInside(inside)
+           ? std::optional<Message>(openPartsAdvice("w changes around them, which are about " +
+                                                    percentOf(open / all) + " of the surface"))
+           : std::nullopt;
+}
+
+/// Returns whether the pieces that some points lie on have few others, and make w less than ½ just
+/// before these points, where it is 1 without them. A single plane sheet leaves more than ½.
+bool Diagnosis::changeInside(const std::vector<SurfaceSample>& points) const
+{
+  const Surface& surface = *facts_.distinct;
+  VertexPieces pieces(surface);
+  const auto pieceOf = [&](std::int32_t triangle)
+  {
+    return static_cast<std::size_t>(pieces.sets.find(surface.triangles[triangle][0]));
+  };
+  std::vector<char> isChosen(surface.vertices.size(), 0);
+  double chosen = 0, all = 0;
+  for (const SurfaceSample& point : points)
+  {
+    isChosen[pieceOf(point.triangle)] = 1;
+    chosen += point.weight;
+  }
+  for (const SurfaceSample& point : lines_->points)
+  {
+    all += isChosen[pieceOf(point.triangle)] ? point.weight : 0;
+  }
+  constexpr double most = 0.8;
+  if (!(chosen > most * all))
+  {
+    return false;
+  }
+  TriangleList triangles;
+  Multiplicities multiplicities;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+  {
+    if (isChosen[pieceOf(static_cast<std::int32_t>(i))])
+    {
+      triangles.push_back(surface.triangles[i]);
+      if (!surface.multiplicities.empty())
+      {
+        multiplicities.push_back(surface.multiplicities[i]);
+      }
+    }
+  }
+  constexpr std::size_t places = 8;
+  const double step = 1e-3 * surface.bounds.sizes().maxCoeff();
+  SampleBlock block;
+  for (const SurfaceSample& point : evenly(points, places))
+  {
+    block.set(block.count++, point.position + step * point.normal);
+  }
+  double values[SampleBlock::capacity];
+  TriangleSum(surface.vertices, {triangles, multiplicities}, surface.bounds)
+    .evaluate(block, values);
+  constexpr double margin = 1e-2;
+  return std::any_of(
+    values, values + block.count, [](double value) { return 1 + value < 0.5 - margin; });
+}
+
+std::optional<Message> Diagnosis::ofOpenSide(const OpenSideUse& use) const
+{
+  const Openings& openings = facts_.openings;
+  const bool isUnclear = use.threshold > 0 && !(openings.areOfSheet() && use.takesTouchedVoxels);
+  if (cloud_ || !openings.areWide() || !facts_.contradictions.empty() ||
+      !(openings.lookInward || isUnclear))
+  {
+    return std::nullopt;
+  }
+  Message advice = openSideAdvice(openings);
+  if (!openings.lookInward && use.mayCloseBorder)
+  {
+    // All behind the surface is inside then, up to the border.
+    advice.remedies.back().settings.emplace_back(Parameter::closeBorder, 1);
+  }
+  return advice;
+}
+
+/// Returns whether parts that lines see from both ends look inward.
+bool Diagnosis::hasInwardPart(Executor& executor) const
+{
+  const std::lock_guard<std::recursive_mutex> lock(lock_);
+  if (!hasInwardPart_)
+  {
+    hasInwardPart_ = this->isClosed() ? this->hasInwardSolid(executor)
+                                      : this->looksMostlyInward(executor);
+  }
+  return *hasInwardPart_;
+}
+
+/// Returns whether any part of a closed surface has a negative volume, and lies in no other.
+bool Diagnosis::hasInwardSolid(Executor& executor) const
+{
+  const Surface& surface = *facts_.distinct;
+  constexpr std::size_t mostForParts = 1 << 16;
+  if (surface.triangles.size() > mostForParts)
+  {
+    const Lines& found = this->lines(executor);
+    for (std::size_t i = 0; i < found.points.size(); ++i)
+    {
+      if (isInward(found.ofPoint(i)))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  // The first vertex of a part is its origin, so that volumes of small parts are not rounded away.
+  VertexPieces pieces(surface);
+  const double scale = unitScale(surface.bounds);
+  struct Part
+  {
+    double volume = 0, area = 0;
+    std::int32_t largest = -1; ///< triangle
+    double areaOfLargest = 0;
+  };
+  std::vector<Part> parts(surface.vertices.size());
+  const ChainView chain(surface);
+  for (std::size_t i = 0; i < chain.size(); ++i)
+  {
+    const Triangle& t = chain[i];
+    const std::int32_t first = pieces.sets.find(t[0]);
+    Part& part = parts[static_cast<std::size_t>(first)];
+    const Eigen::Vector3d a = scale * (surface.vertices[t[0]] - surface.vertices[first]);
+    const Eigen::Vector3d u = scale * (surface.vertices[t[1]] - surface.vertices[t[0]]);
+    const Eigen::Vector3d v = scale * (surface.vertices[t[2]] - surface.vertices[t[0]]);
+    const Eigen::Vector3d across = u.cross(v);
+    const double area = chain.multiplicity(i) * across.norm();
+    part.volume += chain.multiplicity(i) * a.dot(across);
+    part.area += area;
+    if (area > part.areaOfLargest)
+    {
+      part.largest = static_cast<std::int32_t>(i);
+      part.areaOfLargest = area;
+    }
+  }
+  std::vector<std::int32_t> inward;
+  for (const Part& part : parts)
+  {
+    constexpr double flat = 1e-9;
+    if (part.largest >= 0 && -part.volume > flat * std::pow(part.area, 1.5))
+    {
+      inward.push_back(part.largest);
+    }
+  }
+  constexpr std::size_t most = 64;
+  const SurfaceSamples& all = this->points(executor);
+  const std::vector<SurfaceSample> samples = sampleTriangles(
+    surface, chooseTriangles(surface, inward, affordableLines(surface, all.points, most)));
+  const std::vector<SampleLine> lines = linesThrough(surface, samples, all.extents, executor);
+  return std::any_of(
+    lines.begin(), lines.end(), [](const SampleLine& line) { return line.before < 0; });
+}
+
+/// Returns whether most of an open surface, or of one of its parts, looks inward where both ends of
+/// lines agree.
+bool Diagnosis::looksMostlyInward(Executor& executor) const
+{
+  const Surface& surface = *facts_.distinct;
+  const Lines& found = this->lines(executor);
+  std::vector<char> areInward;
+  for (std::size_t i = 0; i < found.points.size(); ++i)
+  {
+    areInward.push_back(isInward(found.ofPoint(i)));
+  }
+  if (std::find(areInward.begin(), areInward.end(), 1) == areInward.end())
+  {
+    return false;
+  }
+  constexpr std::size_t mostForParts = 1 << 17;
+  const bool areParts = surface.triangles.size() <= mostForParts;
+  std::vector<double> balance(areParts ? surface.vertices.size() : 1, 0); // by first vertex
+  std::optional<VertexPieces> pieces;
+  if (areParts)
+  {
+    pieces.emplace(surface);
+  }
+  for (std::size_t i = 0; i < found.points.size(); ++i)
+  {
+    const std::int32_t vertex = surface.triangles[found.points[i].triangle][0];
+    balance[static_cast<std::size_t>(areParts ? pieces->sets.find(vertex) : 0)] +=
+      areInward[i] ? found.points[i].weight : -found.points[i].weight;
+  }
+  return std::any_of(balance.begin(), balance.end(), [](double sum) { return sum > 0; });
+}
+
+Facing Diagnosis::facing(
+  const SideCounts& sides, InsideRule rule, double threshold, Executor& executor) const
+{
+  Facing facing;
+  if (rule != InsideRule::signedThreshold || facts_.hasNoSides || facts_.isSheet ||
+      sides.negative == 0)
+  {
+    return facing;
+  }
+  bool areSheets = false;
+  if (cloud_)
+  {
+    const std::lock_guard<std::recursive_mutex> lock(lock_);
+    facing.looksInward = sides.negative > sides.inside;
+    if (facing.looksInward && !isInwardCloud_)
+    {
+      isInwardCloud_ = orientationOf(*cloud_, executor).isInward();
+    }
+    facing.looksInward = facing.looksInward && *isInwardCloud_;
+  }
+  else if (100 * sides.negative < sides.negative + sides.inside)
+  {
+    // Small pockets of closed surfaces that cut themselves are common, small parts are meant.
+    facing.looksInward = this->isClosed() && this->hasInwardPart(executor);
+  }
+  else
+  {
+    areSheets = facts_.openings.areWide() ||
+                (!this->isClosed() && facts_.contradictions.empty() &&
+                  !this->hasInwardPart(executor));
+    facing.looksInward = !areSheets;
+  }
+  if (facing.looksInward)
+  {
+    facing.isInsideOut = sides.negative > sides.inside;
+    facing.warning = insideOutAdvice(cloud_ ? "normals" : "faces", sides, threshold);
+  }
+  else if (areSheets && !facts_.openings.areWide())
+  {
+    facing.warning = openSheetsAdvice();
+  }
+  return facing;
+}
+
+std::optional<ThinParts> Diagnosis::thinParts(const Grid& grid, const IsSampleInside& isInside,
+  InsideRule rule, double threshold, Executor& executor) const
+{
+  if (cloud_ || facts_.distinct->triangles.empty())
+  {
+    return std::nullopt;
+  }
+  ThinParts parts = thinPartsOf(this->walls(executor), grid, isInside);
+  if (parts.areWorthTelling())
+  {
+    this->keepBounds(rule, threshold, grid, executor, parts);
+  }
+  // Parts of larger surfaces are looked at where some of it is not shown.
+  constexpr std::size_t few = 1 << 15, most = 1 << 16;
+  const std::size_t triangles = facts_.distinct->triangles.size();
+  if (isInside && !parts.areWorthTelling() && this->isClosed() &&
+      triangles <= (parts.hasLostPoints ? most : few))
+  {
+    countLostComponents(*facts_.distinct, grid, isInside, parts);
+  }
+  return parts;
+}
+
+/// Leaves of thin parts what bounds something: it has the outside before it, and the inside behind,
+/// as far as both ends of lines agree. All of a large closed surface counts.
+void Diagnosis::keepBounds(InsideRule rule, double threshold, const Grid& grid, Executor& executor,
+  ThinParts& parts) const
+{
+  const std::lock_guard<std::recursive_mutex> lock(lock_);
+  const auto isBound = [&](const SampleLine& line)
+  {
+    return line.isClear() && winding::isInside(line.behind, rule, threshold) &&
+           !winding::isInside(line.before, rule, threshold);
+  };
+  const WallSamples& walls = this->walls(executor);
+  std::vector<std::size_t> chosen = walls.inOrder();
+  std::vector<double> found;
+  constexpr std::size_t few = 1 << 16;
+  const Surface& surface = *facts_.distinct;
+  double share = 1;
+  if (!this->isClosed())
+  {
+    const Lines& lines = this->lines(executor);
+    double all = 0, bounds = 0;
+    for (std::size_t i = 0; i < lines.points.size(); ++i)
+    {
+      all += lines.points[i].weight;
+      bounds += isBound(*lines.ofPoint(i)) ? lines.points[i].weight : 0;
+    }
+    share = all > 0 ? bounds / all : 0;
+  }
+  else if (surface.triangles.size() <= few)
+  {
+    chosen = evenly(chosen, wallsToCheck);
+    if (wallLines_.empty())
+    {
+      std::vector<SurfaceSample> points;
+      for (const std::size_t i : chosen)
+      {
+        points.push_back(walls.points[i]);
+      }
+      wallLines_ = linesThrough(surface, points, this->points(executor).extents, executor);
+    }
+    std::vector<std::size_t> bounds;
+    std::size_t thin = 0, bound = 0;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+    {
+      const bool isThin = walls.thicknesses[chosen[i]] < grid.spacing.norm();
+      thin += isThin;
+      if (isBound(wallLines_[i]))
+      {
+        bound += isThin;
+        bounds.push_back(chosen[i]);
+      }
+    }
+    share = thin > 0 ? static_cast<double>(bound) / static_cast<double>(thin) : 1;
+    chosen = std::move(bounds);
+  }
+  for (const std::size_t i : chosen)
+  {
+    found.push_back(walls.thicknesses[i]);
+  }
+  parts.keep(share, found, grid);
+}
+
+} // namespace winding

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/Executor.h"
+#include "base/InsideRule.h"
+#include "base/Message.h"
+#include "base/SideCounts.h"
+#include "diagnosis/ThinParts.h"
+#include "rays/SampleLines.h"
+#include "source/PointCloud.h"
+#include "source/Surface.h"
+#include "surface/Boundary.h"
+#include "surface/Openings.h"
+
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace winding
+{
+
+/// What building a field has found of its surface.
+struct SurfaceFacts
+{
+  const Surface* surface;  ///< as it came in, or was completed
+  const Surface* distinct; ///< the same triangles, equal ones taken together
+  std::size_t netBoundaryEdges = 0;
+  bool hasRims = false;    ///< whether there are edges that one triangle uses
+  bool hasNoSides = false; ///< whether all faces are there in both senses
+  /// Whether a tenth of the vertices are at edges that more than two triangles share, or two in the
+  /// same sense.
+  bool hasManyCrowds = false;
+  std::vector<Contradiction> contradictions; ///< edges that two triangles use in the same sense
+  Openings openings;
+  bool isOriented = false; ///< whether faces were turned and taken once
+  bool isSheet = false;    ///< whether sheets divide space, so that they have no inside to look into
+};
+
+/// The use of a source, by which it matters whether it is open on a whole side.
+struct OpenSideUse
+{
+  double threshold = 0.5;
+  bool takesTouchedVoxels = false; ///< whether voxels that the source touches are inside
+  bool mayCloseBorder = false;     ///< whether the result ends at the grid's border, open
+};
+
+/// The way in which a source faces, by the winding numbers of samples.
+struct Facing
+{
+  bool looksInward = false; ///< as a whole or in part
+  bool isInsideOut = false; ///< as a whole
+  std::optional<Message> warning;
+};
+
+/// Returns what to do about a source without faces or points, which welding may have taken away.
+Message emptySourceAdvice(bool isWelded);
+
+/**
+ * All that is found out about a source and its results only to be said. It changes no number. Each
+ * question is answered when it is first asked and once for a source, whatever the grids, thresholds
+ * and front ends, on any number of threads. Answers depend on the set of triangles alone: neither
+ * on their order nor on threads, clocks or machines.
+ *
+ * Answers come from samples of fixed numbers, and shares are good to a few hundredths:
+ *
+ * | question | from | cost per triangle |
+ * |---|---|---|
+ * | are faces there in both senses | equal triangles, which the field takes together | 0 |
+ * | are faces there twice | 64 of the equal triangles, lines through 128 points | 30 ns |
+ * | do faces contradict each other | edges, which the field finds; of up to 16 384 triangles, patches | 0; 100 ns |
+ * | do open parts lie in closed ones | lines through 128 points, along three axes where they may | as above |
+ * | does the source look inward | values of the result; where they are negative, the same lines, and the volumes of up to 2^18 triangles' parts | as above; 30 ns |
+ * | are walls thinner than a voxel | 512 points, lines to 32 768 triangles and an eighth of the others | 40 ns |
+ *
+ * So a tenth of the time of a field, and 2 ms, are enough (tests/bench/DiagnosisBench.cxx).
+ * Less than a hundredth of the area may go unnoticed. Members throw Interrupted.
+ */
+class Diagnosis
+{
+public:
+  /// Keeps references. Takes no time.
+  explicit Diagnosis(SurfaceFacts facts);
+
+  /// Keeps a reference to a cloud with normals; `hasNoSides` says that all of these are equal.
+  Diagnosis(const PointCloud& cloud, bool hasNoSides);
+
+  /// Returns what is wrong with the source, what spoils most first.
+  std::vector<Message> ofSource(Executor& executor) const;
+
+  /// Returns what to do about a source that is open on a whole side, where it matters.
+  std::optional<Message> ofOpenSide(const OpenSideUse& use) const;
+
+  /**
+   * Finds out whether a source looks inward, or is of open sheets, by the sides of its result.
+   * Nothing is found with rules other than InsideRule::signedThreshold, and for sources without
+   * sides.
+   *
+   * Surfaces look inward where a hundredth or more of the samples off the outside are negative, or
+   * fewer of a closed one with parts that look inward, unless they are open on a whole side
+   * (Openings.h). Parts of an open surface must look inward where lines tell. Near single points of
+   * a cloud w has any value; so for clouds most of these samples must be negative, and most normals
+   * must point inward as well (CloudOrientation.h).
+   */
+  Facing facing(
+    const SideCounts& sides, InsideRule rule, double threshold, Executor& executor) const;
+
+  /// Finds the parts of a closed or nearly closed surface that a grid does not show. Nothing is
+  /// found for clouds and for surfaces that look inward.
+  std::optional<ThinParts> thinParts(const Grid& grid, const IsSampleInside& isInside,
+    InsideRule rule, double threshold, Executor& executor) const;
+
+private:
+  /// Lines through some points of the area and of repeated triangles.
+  struct Lines
+  {
+    std::vector<SurfaceSample> points, repeated;
+    std::vector<SampleLine> lines;
+
+    /// Returns the line along the normal of a point, and after it these along the axes through a
+    /// place just before it.
+    const SampleLine* ofPoint(std::size_t i) const { return lines.data() + 4 * i; }
+
+    /// Returns the line along the normal of a repeated triangle, and after it these along the axes
+    /// through a place just behind it and one just before it.
+    const SampleLine* ofRepeated(std::size_t i) const
+    {
+      return lines.data() + 4 * points.size() + 7 * i;
+    }
+  };
+
+  bool isClosed() const { return facts_.netBoundaryEdges == 0; }
+  const SurfaceSamples& points(Executor& executor) const;
+  const Lines& lines(Executor& executor) const;
+  const WallSamples& walls(Executor& executor) const;
+  std::vector<Message> findFaults(Executor& executor) const;
+  bool doContradictionsMatter() const;
+  std::optional<Message> findRepeatedFaces(Executor& executor) const;
+  bool areLarge(std::size_t repeats) const;
+  std::optional<Message> findOpenParts(Executor& executor) const;
+  bool hasInwardPart(Executor& executor) const;
+  bool hasInwardSolid(Executor& executor) const;
+  bool looksMostlyInward(Executor& executor) const;
+  bool changeInside(const std::vector<SurfaceSample>& points) const;
+  void keepBounds(InsideRule rule, double threshold, const Grid& grid, Executor& executor,
+    ThinParts& parts) const;
+
+  SurfaceFacts facts_ = {};
+  const PointCloud* cloud_ = nullptr;
+
+  mutable std::recursive_mutex lock_;
+  mutable std::optional<SurfaceSamples> points_;
+  mutable std::optional<Lines> lines_;
+  mutable std::optional<WallSamples> walls_;
+  mutable std::vector<SampleLine> wallLines_; ///< through some of the walls, the thinnest first
+  mutable std::optional<std::vector<Message>> faults_;
+  mutable std::optional<bool> hasInwardPart_, isInwardCloud_;
+};
+
+} // namespace winding
