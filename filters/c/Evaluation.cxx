@@ -60,7 +60,7 @@ void warnOfResult(const winding_field& handle, const Grid& grid, const ResultOnG
   {
     call.warn(*facing.warning);
   }
-  if (field.info().hasNoSides || result.withoutAdvice)
+  if (result.withoutAdvice || diagnosis.hasNoSides(call.executor))
   {
     return;
   }
@@ -69,7 +69,7 @@ void warnOfResult(const winding_field& handle, const Grid& grid, const ResultOnG
   found.mayTouch = result.mayTouchVoxels;
   found.isSheet = field.info().openings.areOfSheet();
   found.hasHighThreshold = insideRule != InsideRule::odd && rule.winding_threshold > 0.5;
-  if (!facing.looksInward)
+  if (!facing.looksInward && !result.takesTouchedVoxels)
   {
     found.parts =
       diagnosis.thinParts(grid, result.isInside, insideRule, rule.winding_threshold, call.executor);

@@ -177,7 +177,8 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
           };
           winding::countThinParts(field, hasLabel, sampling, nameOf(i), call.executor, facts);
         }
-        else if (!field.info().hasNoSides && !(given.are_open && given.are_open[i] != 0))
+        else if (!(given.are_open && given.are_open[i] != 0) &&
+                 !field.diagnosis().hasNoSides(call.executor))
         {
           const bool isMissed = winding::missesSource(samples, field.info().bounds);
           (isMissed ? facts.missed : facts.thin).add(nameOf(i));

@@ -133,7 +133,8 @@ winding_status winding_describe(
         found.clear_share = known.orientation.outward;
         found.normal_estimation = static_cast<int32_t>(known.normalEstimation);
       }
-      found.has_no_sides = known.hasNoSides;
+      winding::SerialExecutor serial;
+      found.has_no_sides = field->field->diagnosis().hasNoSides(serial);
       found.is_wide_open = known.openings.areWide();
       copyText(known.why, found.reason, sizeof found.reason);
       give(found, required(info, "info"));

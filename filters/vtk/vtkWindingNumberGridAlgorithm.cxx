@@ -449,7 +449,9 @@ const winding::Field& vtkWindingNumberGridAlgorithm::PrepareGridFieldOf(
 void vtkWindingNumberGridAlgorithm::WarnOfGrid(const winding::Field& field, bool isEmpty,
   const std::function<bool(int i, int j, int k)>& isInside)
 {
-  if (field.info().primitives > 0 && !field.info().hasNoSides)
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(1, 1);
+  if (field.info().primitives > 0 && !field.diagnosis().hasNoSides(executor))
   {
     const winding::Grid& grid = this->GetSampling();
     winding::GridResult result;
@@ -457,10 +459,8 @@ void vtkWindingNumberGridAlgorithm::WarnOfGrid(const winding::Field& field, bool
     result.mayTouch = this->MayTouchVoxels();
     result.isSheet = field.info().openings.areOfSheet();
     result.hasHighThreshold = this->HasHighThreshold();
-    if (!this->SourceLooksInward)
+    if (!this->SourceLooksInward && !this->TakesTouchedVoxels())
     {
-      winding::SmpExecutor executor(this, this->NumberOfThreads);
-      executor.setShare(1, 1);
       const winding::InsideRule rule = winding::coreInsideRule(this->InsideRule);
       const double threshold = this->WindingThreshold;
       result.parts = field.diagnosis().thinParts(grid, isInside, rule, threshold, executor);

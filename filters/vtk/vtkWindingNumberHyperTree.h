@@ -167,6 +167,7 @@ protected:
   double GetResultBytes(vtkIdType samples) const override;
   std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
   bool MayTouchVoxels() const override { return this->Coverage == 0; }
+  bool TakesTouchedVoxels() const override { return this->Coverage == 1; }
 
   vtkTypeBool GenerateWindingNumber = 1;
   vtkTypeBool GenerateInside = 0;

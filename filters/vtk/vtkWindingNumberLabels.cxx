@@ -364,7 +364,8 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
         if (isWhole && field.info().primitives > 0)
         {
           hasVoxels[i] = hasInside;
-          if (!hasInside && !isInward && !field.info().hasNoSides && !solids.isOpenPart(i))
+          if (!hasInside && !isInward && !solids.isOpenPart(i) &&
+              !field.diagnosis().hasNoSides(executor))
           {
             const bool isMissed = winding::missesSource(grid, field.info().bounds);
             (isMissed ? this->Facts->missed : this->Facts->thin).add(solids.name(i));

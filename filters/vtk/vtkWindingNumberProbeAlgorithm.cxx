@@ -5,6 +5,7 @@
 #include "base/Executor.h"
 #include "base/Refusal.h"
 #include "base/Views.h"
+#include "diagnosis/Diagnosis.h"
 #include "diagnosis/GridAdvice.h"
 #include "field/Field.h"
 #include "messages/Options.h"
@@ -265,8 +266,11 @@ void vtkWindingNumberProbeAlgorithm::TellOutside(const winding::Field& field,
   std::size_t within = 0;
   const winding::FieldInfo& info = field.info();
   const bool isClosed = info.isSurface && info.netBoundaryEdges == 0;
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(1, 1);
   const bool isQuiet = isClosed || this->KeepsPart() || this->SourceIsInsideOut ||
-                       info.hasNoSides || info.openings.areWide() || results.countInside() != 0;
+                       info.openings.areWide() || results.countInside() != 0 ||
+                       field.diagnosis().hasNoSides(executor);
   const auto count = static_cast<std::size_t>(isQuiet ? 0 : queries.size());
   for (std::size_t i = 0; i < count && within < many; ++i)
   {

@@ -39,7 +39,7 @@ std::string checkOrientation(Choices& choices);
 /// Mirrors, bases and welding of surfaces: CompletionCheck.cxx.
 std::string checkCompletion(Choices& choices);
 
-/// What is said of a source, and the lines that tell it: DiagnosisCheck.cxx.
+/// Faults of a source, and the lines that find them: DiagnosisCheck.cxx.
 std::string checkDiagnosis(Choices& choices);
 
 /// The time of that beside the answer's.

@@ -18,8 +18,8 @@
 
 /**
  * @file
- * What is said of a source depends on the set of its triangles; lines through points of a closed
- * surface give its winding numbers there; and all of it takes a tenth of the time of the answer and
+ * The faults of a source depend on the set of its triangles. Lines through points of a closed
+ * surface give its winding numbers there. Diagnosis takes a tenth of the time of the answer and
  * 2 ms, with a margin.
  */
 namespace fuzz
@@ -86,8 +86,8 @@ std::string checkDiagnosis(Choices& choices)
   try
   {
     const std::string faults = faultsOf(mesh);
-    const Mesh other =
-      shapes::shuffled(mesh, [&choices](std::size_t n) { return static_cast<std::size_t>(choices.below(static_cast<int>(n))); });
+    const Mesh other = shapes::shuffled(mesh, [&choices](std::size_t n)
+      { return static_cast<std::size_t>(choices.below(static_cast<int>(n))); });
     if (faultsOf(other) != faults)
     {
       return "faults depend on the order: " + faults + " or " + faultsOf(other);

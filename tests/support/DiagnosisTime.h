@@ -51,9 +51,11 @@ inline DiagnosisTime diagnosisTime(
   diagnosis.ofSource(serial);
   const winding::InsideRule rule = winding::InsideRule::signedThreshold;
   diagnosis.facing(sides.counts(values.size()), rule, 0.5, serial);
-  diagnosis.thinParts(
-    grid, [&](int i, int j, int k) { return values[winding::sampleNumber(extent, i, j, k)] >= 0.5F; },
-    rule, 0.5, serial);
+  const auto isInside = [&](int i, int j, int k)
+  {
+    return values[winding::sampleNumber(extent, i, j, k)] >= 0.5F;
+  };
+  diagnosis.thinParts(grid, isInside, rule, 0.5, serial);
   time.answer = middle - start;
   time.diagnosis = threadSeconds() - middle;
   return time;

@@ -23,6 +23,9 @@ namespace winding
 namespace
 {
 
+/// Lines for a point of the area, and for one of a repeated triangle.
+constexpr std::size_t perPoint = 4, perRepeated = 7;
+
 /// Walls that lines are drawn through to find whether they bound something.
 constexpr std::size_t wallsToCheck = 48;
 
@@ -83,19 +86,29 @@ bool isNeedle(const Surface& surface, const Triangle& t)
   return u.cross(v).norm() <= thin * longest;
 }
 
-/// Returns whether a face that is there several times has copies too many. Closed solids that overlap
-/// may share faces.
+/// Returns whether a face that is there several times has copies too many. Closed solids that
+/// overlap may share faces.
 bool addsUp(const SampleLine& line)
 {
   return std::abs(line.step) > 1 && !line.isClear();
 }
 
-/// Returns whether the two senses of a face cancel that may be the skin of a solid: nothing is inside
-/// on either side, and there is another face behind it. Between two solids they should cancel.
-bool mayCancelSkin(const SampleLine& line)
+/// Returns whether all faces that some lines meet are there as often as the one at the first line's
+/// point, as they are of a solid that is there several times.
+bool areSeveralSolids(const SampleLine* first, const SampleLine* last)
+{
+  const int times = std::abs(first->step);
+  return times > 1 && std::all_of(first, last, [times](const SampleLine& line)
+                        { return line.times == times * (line.facesBefore + line.facesBehind); });
+}
+
+/// Returns whether the two senses of a face cancel that may be the skin of a solid: nothing is
+/// inside on either side, and there is another face behind it. Between two solids they should
+/// cancel. There are `copies` triangles for each face that a line meets.
+bool mayCancelSkin(const SampleLine& line, int copies)
 {
   return line.step == 0 && line.isClear() && line.before == 0 &&
-         (line.facesBefore + line.facesBehind) % 2 != 0;
+         (line.facesBefore + line.facesBehind) / copies % 2 != 0;
 }
 
 /// Adds a place at some height above a point three times, for lines along each axis.
@@ -183,7 +196,6 @@ const Diagnosis::Lines& Diagnosis::lines(Executor& executor) const
     const SurfaceSamples& all = this->points(executor);
     Lines lines;
     constexpr std::size_t most = 40, mostRepeated = 16;
-    constexpr std::size_t perPoint = 4, perRepeated = 7; // lines
     lines.points =
       evenly(all.points, affordableLines(surface, all.points, perPoint * most) / perPoint);
     std::vector<std::int32_t> repeated;
@@ -194,9 +206,9 @@ const Diagnosis::Lines& Diagnosis::lines(Executor& executor) const
         repeated.push_back(static_cast<std::int32_t>(i));
       }
     }
-    lines.repeated = sampleTriangles(surface,
-      chooseTriangles(
-        surface, repeated, affordableLines(surface, all.points, perRepeated * mostRepeated) / perRepeated));
+    const std::size_t chosen =
+      affordableLines(surface, all.points, perRepeated * mostRepeated) / perRepeated;
+    lines.repeated = sampleTriangles(surface, chooseTriangles(surface, repeated, chosen));
     std::vector<SurfaceSample> samples;
     const double height = 1e-4 * surface.bounds.sizes().maxCoeff();
     for (const SurfaceSample& point : lines.points)
@@ -236,6 +248,24 @@ const WallSamples& Diagnosis::walls(Executor& executor) const
   return *walls_;
 }
 
+bool Diagnosis::hasNoSides(Executor& executor) const
+{
+  if (facts_.hasNoSides || cloud_ || !facts_.hasManyCrowds)
+  {
+    return facts_.hasNoSides;
+  }
+  // Copies of polygons may be cut into other triangles.
+  const Lines& found = this->lines(executor);
+  for (std::size_t i = 0; i < found.points.size(); ++i)
+  {
+    if (!found.ofPoint(i)->isRepeated || found.ofPoint(i)->step != 0)
+    {
+      return false;
+    }
+  }
+  return !found.points.empty();
+}
+
 std::vector<Message> Diagnosis::ofSource(Executor& executor) const
 {
   const std::lock_guard<std::recursive_mutex> lock(lock_);
@@ -253,7 +283,7 @@ std::vector<Message> Diagnosis::findFaults(Executor& executor) const
   {
     return faults;
   }
-  if (facts_.hasNoSides)
+  if (this->hasNoSides(executor))
   {
     return {twoSidedAdvice()};
   }
@@ -327,7 +357,8 @@ std::optional<Message> Diagnosis::findRepeatedFaces(Executor& executor) const
     for (std::size_t i = 0; i < found.repeated.size(); ++i)
     {
       const SampleLine* const lines = found.ofRepeated(i);
-      wrong += addsUp(lines[0]) || (mayCancelSkin(lines[0]) && areOnSkin(lines + 1));
+      wrong += addsUp(lines[0]) || areSeveralSolids(lines, lines + perRepeated) ||
+               (mayCancelSkin(lines[0], 1) && areOnSkin(lines + 1));
     }
     const std::size_t all = found.repeated.size();
     const double count = static_cast<double>(wrong * repeats) / static_cast<double>(all + !all);
@@ -343,15 +374,15 @@ std::optional<Message> Diagnosis::findRepeatedFaces(Executor& executor) const
   {
     const SampleLine& line = *found.ofPoint(i);
     all += found.points[i].weight;
-    wrong += line.isRepeated && (addsUp(line) || mayCancelSkin(line)) ? found.points[i].weight : 0;
+    const bool isWrong = line.isRepeated && (addsUp(line) || mayCancelSkin(line, 2));
+    wrong += isWrong ? found.points[i].weight : 0;
   }
   constexpr double least = 0.1; // chance may find less
-  return wrong > least * all ? std::optional<Message>(
-                                 {fault, remedies, "about " + percentOf(wrong / all) + " of the surface"})
-                             : std::nullopt;
+  const std::string share = "about " + percentOf(wrong / all) + " of the surface";
+  return wrong > least * all ? std::optional<Message>({fault, remedies, share}) : std::nullopt;
 }
 
-/// Returns whether repeated triangles may matter: those of large surfaces have a thousandth of the
+/// Returns whether repeated triangles may matter: in large surfaces they have a thousandth of the
 /// area.
 bool Diagnosis::areLarge(std::size_t repeats) const
 {
@@ -590,8 +621,8 @@ Facing Diagnosis::facing(
   const SideCounts& sides, InsideRule rule, double threshold, Executor& executor) const
 {
   Facing facing;
-  if (rule != InsideRule::signedThreshold || facts_.hasNoSides || facts_.isSheet ||
-      sides.negative == 0)
+  if (rule != InsideRule::signedThreshold || facts_.isSheet || sides.negative == 0 ||
+      this->hasNoSides(executor))
   {
     return facing;
   }

@@ -20,21 +20,21 @@
 namespace winding
 {
 
-/// What building a field has found of its surface.
+/// The facts that building a field has found about its surface.
 struct SurfaceFacts
 {
   const Surface* surface;  ///< as it came in, or was completed
   const Surface* distinct; ///< the same triangles, equal ones taken together
   std::size_t netBoundaryEdges = 0;
   bool hasRims = false;    ///< whether there are edges that one triangle uses
-  bool hasNoSides = false; ///< whether all faces are there in both senses
+  bool hasNoSides = false; ///< whether all triangles are there in both senses
   /// Whether a tenth of the vertices are at edges that more than two triangles share, or two in the
   /// same sense.
   bool hasManyCrowds = false;
   std::vector<Contradiction> contradictions; ///< edges that two triangles use in the same sense
   Openings openings;
   bool isOriented = false; ///< whether faces were turned and taken once
-  bool isSheet = false;    ///< whether sheets divide space, so that they have no inside to look into
+  bool isSheet = false;    ///< whether sheets divide space
 };
 
 /// The use of a source, by which it matters whether it is open on a whole side.
@@ -62,19 +62,21 @@ Message emptySourceAdvice(bool isWelded);
  * and front ends, on any number of threads. Answers depend on the set of triangles alone: neither
  * on their order nor on threads, clocks or machines.
  *
- * Answers come from samples of fixed numbers, and shares are good to a few hundredths:
+ * Answers come from samples of fixed numbers, and shares are good to a few hundredths. Times are
+ * for a triangle of a mesh of 100 000:
  *
- * | question | from | cost per triangle |
+ * | question | from | time |
  * |---|---|---|
- * | are faces there in both senses | equal triangles, which the field takes together | 0 |
- * | are faces there twice | 64 of the equal triangles, lines through 128 points | 30 ns |
- * | do faces contradict each other | edges, which the field finds; of up to 16 384 triangles, patches | 0; 100 ns |
- * | do open parts lie in closed ones | lines through 128 points, along three axes where they may | as above |
- * | does the source look inward | values of the result; where they are negative, the same lines, and the volumes of up to 2^18 triangles' parts | as above; 30 ns |
- * | are walls thinner than a voxel | 512 points, lines to 32 768 triangles and an eighth of the others | 40 ns |
+ * | are faces there in both senses | equal triangles, which the field finds | 0 |
+ * | are faces there twice | lines through 40 points and 16 equal triangles | 30 ns |
+ * | do faces contradict each other | edges, which the field finds | 0 |
+ * | do open parts lie in closed ones | the same lines | 0 |
+ * | does the source look inward | the result, the same lines, and volumes of parts | 40 ns |
+ * | are walls thinner than a voxel | lines through 512 points, and some triangles | 30 ns |
  *
- * So a tenth of the time of a field, and 2 ms, are enough (tests/bench/DiagnosisBench.cxx).
- * Less than a hundredth of the area may go unnoticed. Members throw Interrupted.
+ * So a tenth of the time of a field, and 2 ms, are enough (tests/core/diagnosis). Volumes are found
+ * for up to 65 536 triangles, patches with one side for up to 16 384. Less than a hundredth of the
+ * area may go unnoticed. Members throw Interrupted.
  */
 class Diagnosis
 {
@@ -84,6 +86,9 @@ public:
 
   /// Keeps a reference to a cloud with normals; `hasNoSides` says that all of these are equal.
   Diagnosis(const PointCloud& cloud, bool hasNoSides);
+
+  /// Returns whether no side is inside: all faces are there in both senses, or all normals equal.
+  bool hasNoSides(Executor& executor) const;
 
   /// Returns what is wrong with the source, what spoils most first.
   std::vector<Message> ofSource(Executor& executor) const;

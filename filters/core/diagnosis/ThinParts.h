@@ -37,7 +37,7 @@ struct ThinParts
   /// voxel.
   bool areWorthTelling() const;
 
-  /// Leaves a share of these parts, whose thicknesses are among these of `walls`, in ascending order.
+  /// Leaves a share of these parts. Their thicknesses are among `walls`, in ascending order.
   void keep(double share, const std::vector<double>& walls, const Grid& grid);
 };
 

@@ -103,14 +103,14 @@ CloudField::CloudField(
     if (const auto except = equalNormalsExcept(cloud_, executor))
     {
       info_.warnings.push_back(equalNormals(*except));
-      info_.hasNoSides = true;
+      areNormalsEqual_ = true;
     }
   }
   this->findNormalsAndAreas(options, executor);
   this->regularize(options.regularization);
   sum_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
   this->chooseMethod(options, executor);
-  diagnosis_ = std::make_unique<Diagnosis>(cloud_, info_.hasNoSides);
+  diagnosis_ = std::make_unique<Diagnosis>(cloud_, areNormalsEqual_);
 }
 
 CloudField::~CloudField() = default;

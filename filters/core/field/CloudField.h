@@ -53,6 +53,7 @@ private:
 
   PointCloud cloud_;
   FieldInfo info_;
+  bool areNormalsEqual_ = false;
   std::unique_ptr<const Diagnosis> diagnosis_;
   bool isAskedFor_ = false;                  ///< whether the user chose the method
   std::unique_ptr<const FarField> farField_; ///< null unless the method is hierarchical

@@ -131,9 +131,6 @@ struct FieldInfo
   /// half sphere at infinity closes (SheetSide.h).
   double added = 0;
   double sheetHeight = 0; ///< coordinate of their middle along the side that is inside
-  /// Whether no side is inside, which a warning says: all faces are there in both senses, or all
-  /// normals are equal.
-  bool hasNoSides = false;
   double pointArea = 0;             ///< mean area of a cloud's points
   bool normalsAreEstimated = false; ///< true only for clouds that came without normals
   /// The way in which normals were estimated, if they were: never automatic.

@@ -60,7 +60,6 @@ SurfaceField::SurfaceField(
   info_.netBoundaryEdges = chain.edges.size();
   this->takeEqualTogether(chain.crowdedVertices);
   info_.distinct = distinct_->triangles.size();
-  info_.hasNoSides = !merged_.multiplicities.empty() && merged_.multiplicities.back() == 0;
   if (!chain.edges.empty() && info_.added == 0)
   {
     info_.openings = openingsOf(chain.edges, surface_, this->area());
@@ -71,7 +70,7 @@ SurfaceField::SurfaceField(
   facts.distinct = distinct_;
   facts.netBoundaryEdges = info_.netBoundaryEdges;
   facts.hasRims = info_.boundaryEdges > 0;
-  facts.hasNoSides = info_.hasNoSides;
+  facts.hasNoSides = !merged_.multiplicities.empty() && merged_.multiplicities.back() == 0;
   // A vertex is listed for each of its edges.
   facts.hasManyCrowds = 10 * chain.crowdedVertices.size() > surface_.vertices.size();
   facts.contradictions = std::move(chain.contradictions);

@@ -36,7 +36,7 @@ public:
   }
 
   /// Returns how often the triangle winds round a line: 1 if it looks along the axis, −1 if it
-  /// looks the other way, 0 beside it. Edges that cross a half line count, each by a sign that
+  /// looks the other way, 0 for a miss. Edges that cross a half line count, each by a sign that
   /// depends on its ends alone.
   int windingRound(const Eigen::Vector3d& place) const
   {
@@ -275,11 +275,13 @@ std::vector<SampleLine> linesThrough(const Surface& surface,
         along * hit.sense * chain.multiplicity(static_cast<std::size_t>(hit.triangle));
       const double ahead = along * (hit.place - sample.position[axis]);
       SampleLine& line = result[number];
-      if (hit.triangle == sample.triangle || std::abs(ahead) <= atPoint)
+      const bool isAtPoint = hit.triangle == sample.triangle || std::abs(ahead) <= atPoint;
+      line.times += isAtPoint ? 0 : std::abs(times);
+      if (isAtPoint)
       {
         line.step += times;
         line.isRepeated |=
-          hit.triangle != sample.triangle &&
+          hit.triangle != sample.triangle && sample.triangle >= 0 &&
           sharedCorners(surface.triangles[hit.triangle], surface.triangles[sample.triangle]) > 1;
       }
       else if (ahead > 0)

@@ -10,17 +10,16 @@
 namespace winding
 {
 
-/**
- * What a line through a point of a surface meets. "Before" is where the normal points, "behind" the
- * other side. Where the surface is closed, both ends of the line agree.
- */
+/// The surfaces that a line through a point meets. "Before" is where the normal points, "behind"
+/// the other side. Where the surface is closed, both ends of the line agree.
 struct SampleLine
 {
-  int before = 0; ///< winding number just before the point, counted from the end of the line there
+  int before = 0; ///< winding number just before the point, counted from that end of the line
   int behind = 0; ///< winding number just behind the point, counted from the other end
   int step = 0;   ///< times that the surface is there, less the times with the other sense
   bool isRepeated = false; ///< whether another triangle is there that shares an edge's corners
   int facesBefore = 0, facesBehind = 0; ///< triangles in either direction, whatever their sense
+  int times = 0; ///< times that these triangles are there, all together
   /// The thickness of the wall behind the point, the distance to the next
   /// triangle that looks the other way, taken as parallel or as the other side of a rod.
   double wall = std::numeric_limits<double>::infinity();
@@ -34,8 +33,8 @@ struct SampleLine
  * nearest to the normal. Triangles as near as 1e-6 times the longest side of the bounds are at the
  * point. `extents` are from SurfaceSamples.
  *
- * Where `some` triangles are named, lines meet no others: what they meet is what all would, with the
- * probability that a triangle was chosen by.
+ * Lines meet no other triangles than `some`, where these are given. So a triangle is met with the
+ * probability that it was chosen by.
  *
  * Crossings of closed chains cancel whatever the rounding, since triangles share the decision about
  * an edge. Takes 20 ns per triangle and 20 ns per crossing. Throws Interrupted.

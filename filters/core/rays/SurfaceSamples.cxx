@@ -223,7 +223,7 @@ SurfaceSamples sampleSurface(const Surface& surface, std::size_t most, Executor&
   constexpr std::size_t ordinary = 256; // triangles that sizes are taken from
   constexpr std::size_t perBlock = 16384;
   const double scale = unitScale(surface.bounds);
-  // As many are enough to meet what others meet as well.
+  // These are enough to meet the other sides of walls.
   const double enough = 0x1p13 + static_cast<double>(all) / 16;
   if (enough < static_cast<double>(all))
   {
@@ -239,7 +239,7 @@ SurfaceSamples sampleSurface(const Surface& surface, std::size_t most, Executor&
   };
   std::vector<Block> blocks(
     (triangles + perBlock - 1) / perBlock, Block{Lowest(wanted), Lowest(ordinary)});
-  // What no block needs any more, others do not need, too.
+  // Keys that one block drops are dropped by all.
   std::atomic<double> limit{std::numeric_limits<double>::infinity()};
   std::atomic<double> ordinaryLimit{std::numeric_limits<double>::infinity()};
   runBlocks(

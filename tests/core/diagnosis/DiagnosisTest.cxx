@@ -105,6 +105,8 @@ TEST(Diagnosis, FindsFacesThatAreThereTwice)
   EXPECT_EQ(faultsOf(withAgain(ball, 0, 100, false)), fault + "100 of 1380 triangles\n");
   EXPECT_EQ(faultsOf(withAgain(ball, 0, 1280, true)),
     "every face is there with both senses; nothing is left of them\n");
+  EXPECT_EQ(faultsOf(withAgain(ball, 0, 1280, false)), fault + "1280 of 2560 triangles\n")
+    << "a whole solid is there twice";
   const std::string ofSome = faultsOf(withAgain(ball, 0, 400, true));
   EXPECT_EQ(ofSome.rfind(fault + "about ", 0), 0u) << ofSome;
   // Walls between solids that touch cancel, as they should.
@@ -149,7 +151,8 @@ TEST(Diagnosis, FindsFacesThatContradictEachOther)
 
 TEST(Diagnosis, FindsOpenPartsThatChangeWhatIsInside)
 {
-  const std::string fault = "open parts lie inside of closed ones; w changes around them, which are";
+  const std::string fault =
+    "open parts lie inside of closed ones; w changes around them, which are";
   const Mesh box = cube();
   Mesh baffles = box;
   for (const double z : {0.2, 0.35, 0.5, 0.65, 0.8})

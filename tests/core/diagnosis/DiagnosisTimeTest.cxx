@@ -12,7 +12,7 @@
 #include <vector>
 
 /**
- * What is only said takes a tenth of the time of the answer, and 2 ms: Diagnosis.h promises so.
+ * Diagnosis takes a tenth of the time of the answer, and 2 ms: Diagnosis.h promises so.
  * Both are timed here in one process, the least of three attempts each.
  */
 
