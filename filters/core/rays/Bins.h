@@ -58,8 +58,8 @@ public:
   /// coordinate rises.
   int bin(int axis, double coordinate) const
   {
-    return std::clamp(
-      static_cast<int>((coordinate - origin_[axis]) * perLength_[axis]), 0, count_[axis] - 1);
+    const double bin = (coordinate - origin_[axis]) * perLength_[axis];
+    return bin >= count_[axis] ? count_[axis] - 1 : bin > 0 ? static_cast<int>(bin) : 0;
   }
 
   /// Returns the bins of a place within the bounds, in a number.

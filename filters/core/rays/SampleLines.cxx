@@ -86,9 +86,11 @@ public:
       const double to = std::min(std::max(a[v_], b[v_]), high);
       if (from <= to)
       {
-        // An edge along u ends where others end.
-        const double slope = a[v_] == b[v_] ? 0 : (b[u_] - a[u_]) / (b[v_] - a[v_]);
-        const double atFrom = a[u_] + (from - a[v_]) * slope, atTo = a[u_] + (to - a[v_]) * slope;
+        // An edge along u, or nearly so, may be anywhere in its range.
+        const double slope = (b[u_] - a[u_]) / (b[v_] - a[v_]);
+        const bool isSteep = std::isfinite(slope);
+        const double atFrom = isSteep ? a[u_] + (from - a[v_]) * slope : a[u_];
+        const double atTo = isSteep ? a[u_] + (to - a[v_]) * slope : b[u_];
         first = std::min({first, atFrom, atTo});
         last = std::max({last, atFrom, atTo});
       }
@@ -180,10 +182,13 @@ private:
         constexpr double margin = 1e-3; // bins, which is more than rounding
         const auto [low, high] =
           projected.rangeOfU(bins_.start(v, row - margin), bins_.start(v, row + 1 + margin));
-        first = std::max(first, bins_.bin(u, low) - 1);
+        first = low <= high ? std::max(first, bins_.bin(u, low) - 1) : last + 1;
         last = std::min(last, bins_.bin(u, high) + 1);
       }
-      lines.forEach(row, first, last, visit);
+      if (first <= last)
+      {
+        lines.forEach(row, first, last, visit);
+      }
     }
   }
 

@@ -15,10 +15,10 @@ namespace winding
  * It lies inside another closed component if the other winds round each of its vertices (w ≠ 0
  * there, exactly, found by counting signed crossings of rays); vertices that it shares with other
  * components are left out. Nearly closed ones, and ones that share all their vertices, lie inside
- * where the other winds round the middles of triangles with most of their area, for their rims may
- * lie in the caps of others or beyond, as the rim of a pipe's bore does. So a component that pokes
- * out of another one does not lie inside it, and the answer is right for components that do not
- * cross each other.
+ * where the other winds round the middles of triangles with most of their area (addMiddles()), for
+ * their rims may lie in the caps of others or beyond, as the rim of a pipe's bore does. So a
+ * component that pokes out of another one does not lie inside it, and the answer is right for
+ * components that do not cross each other.
  */
 struct ClosedComponent
 {

@@ -174,16 +174,24 @@ void addMiddles(Surface& surface, Components& components, const std::vector<char
   std::size_t triangles)
 {
   const double scale = unitScale(surface.bounds);
+  constexpr std::size_t enough = 4096;
+  std::vector<std::size_t> counts(components.size(), 0), passed(components.size(), 0);
   for (std::size_t i = 0; i < triangles; ++i)
   {
-    if (isChosen[components.ofTriangle[i]])
+    ++counts[components.ofTriangle[i]];
+  }
+  for (std::size_t i = 0; i < triangles; ++i)
+  {
+    const std::int32_t component = components.ofTriangle[i];
+    const std::size_t step = 1 + counts[component] / enough;
+    if (isChosen[component] && passed[component]++ % step == 0)
     {
       const Triangle& t = surface.triangles[i];
       const Eigen::Vector3d& a = surface.vertices[t[0]];
       const Eigen::Vector3d offsets =
         (surface.vertices[t[1]] - a) / 3 + (surface.vertices[t[2]] - a) / 3;
       surface.vertices.emplace_back(a + offsets);
-      components.middles.push_back({components.ofTriangle[i], areaOf(surface, t, scale)});
+      components.middles.push_back({component, areaOf(surface, t, scale)});
     }
   }
 }

@@ -79,6 +79,9 @@ class TimeOfDiagnosis : public testing::TestWithParam<Case>
 
 TEST_P(TimeOfDiagnosis, IsATenthOfTheAnswers)
 {
+#ifndef NDEBUG
+  GTEST_SKIP() << "sanitizers and checks of Eigen's slow some loops down more than others";
+#endif
   const Mesh mesh = GetParam().mesh();
   constexpr int attempts = 3;
   const DiagnosisTime time =
