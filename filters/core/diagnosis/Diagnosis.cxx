@@ -397,12 +397,7 @@ bool Diagnosis::areLarge(std::size_t repeats) const
   double area = 0;
   for (std::size_t i = 0; i < chain.size(); ++i)
   {
-    const Triangle& t = chain[i];
-    const auto sideTo = [&](int corner) -> Eigen::Vector3d
-    {
-      return scale * (surface.vertices[t[corner]] - surface.vertices[t[0]]);
-    };
-    area += chain.multiplicity(i) == 1 ? 0 : sideTo(1).cross(sideTo(2)).norm() / 2;
+    area += chain.multiplicity(i) == 1 ? 0 : areaOf(surface, chain[i], scale) / 2;
   }
   const Eigen::Vector3d sizes = scale * surface.bounds.sizes();
   return area > 1e-3 * sizes.maxCoeff() * sizes.maxCoeff();

@@ -23,11 +23,6 @@ struct SampleBox
 {
   Eigen::Array3i first, last;
 
-  std::size_t size() const
-  {
-    return static_cast<std::size_t>((last - first + 1).cast<std::int64_t>().prod());
-  }
-
   /// Returns whether test(i, j, k) is true for any of the samples.
   template <class Test> bool hasAny(const Test& test) const
   {

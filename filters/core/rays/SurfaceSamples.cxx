@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <utility>
 
 namespace winding
 {
@@ -62,7 +61,7 @@ double unitOf(std::uint64_t hash)
   return (static_cast<double>(hash >> 12) + 0.5) * 0x1p-52;
 }
 
-/// A triangle, the lower keys of which are chosen first.
+/// A triangle and its key. Lower keys are chosen first.
 struct Keyed
 {
   double key;
@@ -132,7 +131,7 @@ Eigen::Vector3d areaVectorOf(const Surface& surface, const Triangle& triangle, d
   return (scale * (surface.vertices[t[1]] - a)).cross(scale * (surface.vertices[t[2]] - a)) / 2;
 }
 
-/// Adds `count` points of a triangle, which stand for `weight` together.
+/// Adds `count` points of a triangle with the weight `weight` together.
 void addPoints(const Surface& surface, std::size_t triangle, std::size_t count, double weight,
   std::vector<SurfaceSample>& points)
 {
@@ -282,7 +281,7 @@ SurfaceSamples sampleSurface(const Surface& surface, std::size_t most, Executor&
   }
   std::vector<Keyed> chosen = lowest.take();
   std::sort(chosen.begin(), chosen.end());
-  // A triangle of a large surface stands for others of its size, too, that were not chosen.
+  // Small triangles represent others of their size, which were not chosen.
   const double least = chosen.size() < wanted ? 0 : 1 / chosen.back().key;
   const auto weightOf = [&](const Keyed& keyed)
   {
