@@ -70,8 +70,8 @@ public:
   /// Copies `count` bytes from the place `offset` on. Throws FileRefusal if they are not there.
   void read(std::size_t offset, char* bytes, std::size_t count) const;
 
-  /// Copies as read() does, with '\n' for each '\r' that none follows: old programs of the Mac end
-  /// lines so.
+  /// Copies as read() does, with LF for each CR that no LF follows. Old programs of the Mac end
+  /// lines by CR.
   void readText(std::size_t offset, char* bytes, std::size_t count) const;
 
   /// The number of the line in which the byte at `offset` stands, from 1 on. It reads all lines
