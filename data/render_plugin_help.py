@@ -87,17 +87,6 @@ def show_labels(view, scan, _):
     color_by(view, display, "Label", 1, 3, "Viridis (matplotlib)", association="CELLS")
 
 
-def show_hyper_tree(view, scan, _):
-    show(view, scan, -1.3)
-    trees = simple.WindingNumberHyperTree(Input=scan, Resolution=64, MergeTolerance=0.05)
-    cells = simple.HyperTreeGridToUnstructuredGrid(Input=trees)
-    cut = middle_slice(cells)
-    cut.SliceType.Origin = (0, 0, 0.01)
-    display = show(view, cut, 1.3, Ambient=1, Diffuse=0, Representation="Surface With Edges",
-                   EdgeColor=GREY)
-    color_by(view, display, "WindingNumber", 0, 1, association="CELLS")
-
-
 def show_probe(view, scan, _):
     plane = simple.Plane(Origin=(-1.3, -1.3, 0), Point1=(1.3, -1.3, 0), Point2=(-1.3, 1.5, 0),
                          XResolution=160, YResolution=160)
@@ -137,7 +126,6 @@ PICTURES = {
     "WindingNumberBoolean": show_boolean,
     "WindingNumberVoxels": show_voxels,
     "WindingNumberLabels": show_labels,
-    "WindingNumberHyperTree": show_hyper_tree,
     "WindingNumberProbe": show_probe,
     "WindingNumberClip": show_clip,
     "SurfaceReport": show_report,

@@ -158,11 +158,6 @@ TEST(Interrupt, FieldInMemory)
   interruptRun(SIGINT, {});
 }
 
-TEST(Interrupt, FieldAsHyperTrees)
-{
-  interruptRun(SIGINT, {}, "out.htg");
-}
-
 TEST(Interrupt, FieldInPieces)
 {
   interruptRun(SIGTERM, {"--pieces", "40"});

@@ -165,7 +165,7 @@ TEST_F(LabelsCommand, RefusesInOneLine)
   EXPECT_TRUE(runProgram({"labels", "-o", out}).saysInOneLine({"IN is required"}));
   EXPECT_TRUE(
     runProgram({"labels", left, right, "-o", right}).saysInOneLine({"right.stl", "--overwrite"}));
-  EXPECT_TRUE(runProgram({"labels", left, "-o", folder.path("a.htg")}).saysInOneLine({".vti"}));
+  EXPECT_TRUE(runProgram({"labels", left, "-o", folder.path("a.vtu")}).saysInOneLine({".vti"}));
 }
 
 } // namespace

@@ -323,8 +323,6 @@ TEST(Like, WhatMakesNoSenseIsRefused)
   };
   const std::string vti = folder.path("out.vti"), mha = folder.path("out.mha");
   refuses({"field", in, "-o", vti, "--like", like, "--resolution", "3"}, 1, "excludes");
-  refuses({"field", in, "-o", folder.path("out.htg"), "--like", like}, 1, ".htg holds none");
-  refuses({"voxels", in, "-o", folder.path("out.htg"), "--like", like}, 1, ".htg holds none");
   refuses(
     {"field", in, "-o", folder.path("out.pvti"), "--like", like}, 2, "would lose the directions");
   refuses({"field", in, "-o", vti, "--like", in}, 2, "is no image to lie on");

@@ -17,7 +17,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from options import options_in  # noqa: E402
 
 # Panels may begin with another value than a property, where a picture is what their users want.
-OTHER_DEFAULTS = {("WindingNumberHyperTree", "MaskOutside"), ("SurfaceReport", "FaultThickness"),
+OTHER_DEFAULTS = {("SurfaceReport", "FaultThickness"),
                   ("WindingNumberGridAlgorithm", "Resolution"),
                   ("WindingNumberAlgorithm", "EstimateNormals"), ("PointAreas", "EstimateNormals")}
 # Several classes have properties of these names, which mean different things.

@@ -24,10 +24,10 @@ RIDDLE = re.compile(rf"^\s*(///<?|//|/\*\*|\*) {OPENING} ")
 # Lower a number when you have made it fall; never raise one.
 MOST = {
     r"(those|that) of": 15,
-    r"tells?|told|telling": 26,
+    r"tells?|told|telling": 21,
     r"beside": 5,
     r"so (many|much|long|far|few)": 17,
-    r"of (which|whom)": 15,
+    r"of (which|whom)": 14,
     r"but for": 0,
     r"such": 41,
 }

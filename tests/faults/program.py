@@ -109,7 +109,6 @@ def jobs(size=24):
     return [
         Job("out.vti", "field", "in.off", "-o", "out.vti", *grid),
         Job("out.vti", "field", "in.off", "-o", "out.vti", "--pieces", 5, *grid),
-        Job("out.htg", "field", "in.off", "-o", "out.htg", *grid),
         Job("out.stl", "surface", "in.off", "-o", "out.stl", *grid),
         Job("out.obj", "surface", "in.off", "-o", "out.obj", *grid),
         Job("out.ply", "surface", "in.off", "-o", "out.ply", "--features", "sharp",

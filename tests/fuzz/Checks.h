@@ -66,9 +66,6 @@ std::string checkLattice(Choices& choices);
 /// Calls of libwinding, right ones and spoiled ones: LibraryCheck.cxx.
 std::string checkLibrary(Choices& choices);
 
-/// The trees of voxels: VoxelTreesCheck.cxx.
-std::string checkVoxelTrees(Choices& choices);
-
 /// The time of method automatic against the direct sum's: TimeCheck.cxx. The check takes far
 /// longer than the others.
 std::string checkTime(Choices& choices);
@@ -89,8 +86,7 @@ inline std::vector<NamedCheck> allChecks()
     {"coverage", checkCoverage}, {"fractions", checkFractions}, {"orientation", checkOrientation},
     {"completion", checkCompletion}, {"diagnosis", checkDiagnosis}, {"level", checkLevel},
     {"boolean", checkBoolean}, {"shape", checkShape}, {"nearest", checkNearest},
-    {"voxel_trees", checkVoxelTrees}, {"sharp", checkSharp}, {"lattice", checkLattice},
-    {"library", checkLibrary}};
+    {"sharp", checkSharp}, {"lattice", checkLattice}, {"library", checkLibrary}};
 }
 
 } // namespace fuzz

@@ -490,7 +490,6 @@ COMMANDS = [
     "field a.off -o b.vti --coverage fraction --coverage-samples 3",
     "field a.csv -o b.vti --dims 4 5 6 --bounds 0 1 0 1 0 1 --regularization 1 --pieces 3",
     "field a.csv -o b.vti --areas constant --area 0.5",
-    "field a.off -o b.htg --merge-tolerance 0.1",
     "field a.off -o b.nii.gz --like c.mha --inside-only",
     "surface a.ply -o b.stl --voxel-size 0.1 --threshold 0.4 --rule absolute",
     "surface a.stl b.stl -o c.vtp --mirror y=0 --mirror z=1 --flat-base z=-2 --weld-tolerance 1e-6",

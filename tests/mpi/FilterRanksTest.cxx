@@ -9,7 +9,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkHyperTreeGrid.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -20,7 +19,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceReport.h"
 #include "vtkWindingNumberBoolean.h"
-#include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
 
@@ -31,8 +29,8 @@
 
 /**
  * @file
- * Probes, surfaces, hyper trees, reports and areas of sources that are dealt out to the ranks of a
- * parallel program.
+ * Probes, surfaces, reports and areas of sources that are dealt out to the ranks of a parallel
+ * program.
  */
 
 using namespace onranks;
@@ -119,19 +117,12 @@ TEST(SurfaceOnRanks, IsThatOfOneRankOnTheFirst)
   }
 }
 
-template <class Filter> class GridOnRanks : public testing::Test
-{
-};
-
-using GridFilters = testing::Types<vtkWindingNumberSurface, vtkWindingNumberHyperTree>;
-TYPED_TEST_SUITE(GridOnRanks, GridFilters);
-
 /// Parts that move apart: each rank knows the times of its own.
-TYPED_TEST(GridOnRanks, LiesOverAllTimesOfAllParts)
+TEST(SurfaceOnRanks, LiesOverAllTimesOfAllParts)
 {
   const auto boundsOf = [](vtkAlgorithmOutput* source, bool isAlone)
   {
-    vtkNew<TypeParam> filter;
+    vtkNew<vtkWindingNumberSurface> filter;
     filter->SetInputConnection(source);
     filter->SetResolution(20);
     filter->BoundsOverAllTimesOn();
@@ -254,34 +245,6 @@ TEST(ProbeOnRanks, GivesFractionsOfTheWholeSource)
   }
 }
 
-TEST(HyperTreeOnRanks, IsThatOfOneRankOnTheFirst)
-{
-  for (const auto& [name, mesh] : meshes())
-  {
-    SCOPED_TRACE(name);
-    const auto treesOf = [](vtkPolyData* source, bool isAlone)
-    {
-      auto trees = filterOf<vtkWindingNumberHyperTree>(source, isAlone);
-      trees->SetResolution(20);
-      trees->GenerateWindingNumberOff();
-      trees->GenerateInsideOn();
-      return trees;
-    };
-    const auto expected = treesOf(partOf(mesh, whole, 0, 1), true);
-    expected->Update();
-    const auto found = treesOf(partOf(mesh, deals()[0], rank(), ranks()), false);
-    updatePiece(found);
-    if (rank() > 0)
-    {
-      EXPECT_EQ(found->GetOutput()->GetNumberOfNonEmptyTrees(), 0);
-      continue;
-    }
-    ASSERT_GT(expected->GetOutput()->GetNumberOfNonEmptyTrees(), 0);
-    expectSame(found->GetOutput()->GetCellData()->GetArray("Inside"),
-      expected->GetOutput()->GetCellData()->GetArray("Inside"));
-  }
-}
-
 TEST(ReportOnRanks, CountsTheWholeOnEachRank)
 {
   for (const auto& [name, mesh] : meshes())
@@ -298,15 +261,6 @@ TEST(ReportOnRanks, CountsTheWholeOnEachRank)
     EXPECT_EQ(found->GetFaults()->GetNumberOfBlocks() > 0,
       rank() == 0 && expected->GetFaults()->GetNumberOfBlocks() > 0);
   }
-}
-
-TEST(HyperTreeOnRanks, WithOtherPropertiesIsRefusedOnAll)
-{
-  const auto part = partOf(shapes::icosphere(2), deals()[0], rank(), ranks());
-  const auto trees = filterOf<vtkWindingNumberHyperTree>(part, false);
-  trees->SetResolution(8);
-  trees->SetMergeTolerance(rank() == 0 ? 0 : 0.01);
-  expectDifferentProperties(trees);
 }
 
 TEST(ReportOnRanks, WithOtherPropertiesIsRefusedOnAll)

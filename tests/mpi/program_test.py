@@ -149,7 +149,6 @@ def test_probe_and_surface(runs):
                           (["probe", "closed.obj", "cloud.xyz", "--inside-out"], ".vtp"),
                           (["probe", "scan.obj", "points.csv", "--method", "direct"], ".csv"),
                           (["surface", "closed.obj"], ".vtp"),
-                          (["field", "closed.obj", "--resolution", "20"], ".htg"),
                           (["surface", "closed.obj", "--verify", "100"], ".ply"))):
         runs.alone(*words, "-o", "one" + suffix)
         run = runs.of_ranks(*words, "-o", "all" + suffix)

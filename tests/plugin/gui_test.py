@@ -45,8 +45,6 @@ INPUTS = {
 FIRST_INPUTS = {"Source": "add_plane", "Others": "add_ball"}
 # The array by which a result is to be coloured, where it looks like its input otherwise.
 COLORS = {"PointAreas": "Area", "WindingNumberBoolean": "Operand"}
-# The filters whose results have cells and no points.
-WITHOUT_POINTS = {"WindingNumberHyperTree"}
 
 # Seconds after which a window that waits for a click nobody plays is ended: plays take 10 to 40.
 LONGEST_PLAY = 250
@@ -262,8 +260,7 @@ class TestWindow(unittest.TestCase):
             with self.subTest(name):
                 facts = json.loads((PICTURES / f"{name}.json").read_text(encoding="ascii"))
                 self.assertEqual(facts["proxy"], proxy)
-                if name not in WITHOUT_POINTS:
-                    self.assertGreater(facts["points"], 1000)
+                self.assertGreater(facts["points"], 1000)
                 self.assertGreater(facts["cells"], 1000)
 
     def test_pictures_are_as_they_were(self):

@@ -127,7 +127,6 @@ class TestPanel(unittest.TestCase):
         for name, label in (
             ("WindingNumberField", "Input As Points"),
             ("WindingNumberSurface", "Input As Points"),
-            ("WindingNumberHyperTree", "Input As Points"),
             ("WindingNumberProbe", "Source As Points"),
             ("WindingNumberClip", "Source As Points"),
         ):

@@ -124,15 +124,6 @@ SETTABLE = {
         "TransferAttributes": (1, "1"),
         "GenerateNearestCells": (1, "1"),
     },
-    "WindingNumberHyperTree": {
-        **COMMON,
-        **GRID,
-        **ARRAYS,
-        "Coverage": (2, "2"),
-        "CoverageSamples": (2, "2"),
-        "MergeTolerance": (0.125, "0.125"),
-        "MaskOutside": (0, "0"),
-    },
     "WindingNumberProbe": {
         **COMMON,
         **ARRAYS,
@@ -193,7 +184,6 @@ REPORTED = {
     },
     "WindingNumberSurface": GRID_REPORTED | {"FidelityInWords"},
     "WindingNumberBoolean": GRID_REPORTED,
-    "WindingNumberHyperTree": GRID_REPORTED | {"NumberOfLeaves", "NumberOfInsideSamples"},
     "WindingNumberProbe": COMMON_REPORTED,
     "WindingNumberClip": COMMON_REPORTED,
     "WindingNumberVoxels": set(),
@@ -201,8 +191,7 @@ REPORTED = {
 }
 LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples", "NumberOfSamplesOnSurface",
             "NumberOfSamplesBesidePoints", "MaxErrorBesidePoints", "SourceIsInsideOut",
-            "NumberOfVertices", "Controller", "InputNames", "OtherNames", "OperandThresholds",
-            "OperandInsideRules"}
+            "Controller", "InputNames", "OtherNames", "OperandThresholds", "OperandInsideRules"}
 
 INPUTS = {
     "SurfaceReport": {"Input"},
@@ -211,7 +200,6 @@ INPUTS = {
     "WindingNumberSurface": {"Input"},
     "WindingNumberBoolean": {"Input", "InputNames", "Others", "OtherNames", "OperandThresholds",
                              "OperandInsideRules"},
-    "WindingNumberHyperTree": {"Input"},
     "WindingNumberProbe": {"Input", "Source"},
     "WindingNumberClip": {"Input", "Source"},
     "WindingNumberVoxels": {"Input", "Source", "SelectInputScalars"},
@@ -245,14 +233,13 @@ ENUMERATIONS = {
 }
 
 # Defaults that differ from the classes': ParaView's lists of arrays name the choice of no array,
-# faults must be seen on their surface, and the voxels inside rather than the box around them, and
-# nobody waits for the eightfold voxels that keep thin parts, or asks for normals of a bare cloud.
+# faults must be seen on their surface, and nobody waits for the eightfold voxels that keep thin
+# parts, or asks for normals of a bare cloud.
 DEFAULTS_OF_PANELS = {
     "Resolution": "128",
     "NormalsArray": "Active Normals",
     "RegionArray": "None",
     "FaultThickness": "0.003",
-    "MaskOutside": "1",
     "EstimateNormals": "1",
 }
 
@@ -279,7 +266,6 @@ RANGES = {
     "CoverageSamples": (1, 10),
     "LabelOffset": (-65535, 65535),
     "DistanceBand": (0, None),
-    "MergeTolerance": (0, None),
 }
 
 
@@ -457,7 +443,6 @@ class TestProxies(unittest.TestCase):
             "WindingNumberLabels": "Winding Number Labels",
             "WindingNumberSurface": "Winding Number Surface",
             "WindingNumberBoolean": "Winding Number Boolean",
-            "WindingNumberHyperTree": "Winding Number Hyper Tree",
             "WindingNumberProbe": "Winding Number Probe",
             "WindingNumberClip": "Winding Number Clip",
             "WindingNumberVoxels": "Winding Number Voxels",

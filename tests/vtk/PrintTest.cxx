@@ -7,7 +7,6 @@
 #include "vtkSurfaceReport.h"
 #include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberField.h"
-#include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberLabels.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
@@ -44,10 +43,10 @@ TEST(Print, HasThePropertiesOfEveryClass)
     "ResultArrayName: WindingNumber", "OutputScalarType: 10"};
   expectPrinted<vtkWindingNumberField>(ofSources);
   expectPrinted<vtkWindingNumberField>(ofArrays);
-  expectPrinted<vtkWindingNumberField>({"Resolution: 64", "VoxelSize: 0", "Padding: 0.05",
-    "UseInputBounds: 1", "BoundsOverAllTimes: 0", "SamplingDimensions: 0 0 0", "Coverage: 0",
-    "UnionOverAllTimes: 0",
-    "CoverageSamples: 4", "OutputAssociation: 0", "DistanceBand: 0", "NumberOfThreads: 0"});
+  expectPrinted<vtkWindingNumberField>(
+    {"Resolution: 64", "VoxelSize: 0", "Padding: 0.05", "UseInputBounds: 1",
+      "BoundsOverAllTimes: 0", "SamplingDimensions: 0 0 0", "Coverage: 0", "UnionOverAllTimes: 0",
+      "CoverageSamples: 4", "OutputAssociation: 0", "DistanceBand: 0", "NumberOfThreads: 0"});
   expectPrinted<vtkWindingNumberSurface>(ofSources);
   expectPrinted<vtkWindingNumberSurface>(
     {"Resolution: 64", "CloseBorder: 0", "GenerateNormals:", "Features: 0", "GenerateTriangles: 0",
@@ -58,10 +57,6 @@ TEST(Print, HasThePropertiesOfEveryClass)
   expectPrinted<vtkWindingNumberLabels>({"Resolution: 64", "Coverage: 0", "OutputAssociation: 0",
     "OverlapRule: 0", "GenerateSolidCount: 0", "CoverageArrays: 0",
     "RegionArray: ", "LabelOffset: 0", "NumberOfSolids: 0"});
-  expectPrinted<vtkWindingNumberHyperTree>(ofSources);
-  expectPrinted<vtkWindingNumberHyperTree>(ofArrays);
-  expectPrinted<vtkWindingNumberHyperTree>({"Resolution: 64", "Coverage: 0", "CoverageSamples: 4",
-    "MergeTolerance: 0.01", "MaskOutside: 0", "NumberOfLeaves: 0", "NumberOfVertices: 0"});
   expectPrinted<vtkWindingNumberProbe>(ofSources);
   expectPrinted<vtkWindingNumberProbe>(ofArrays);
   expectPrinted<vtkWindingNumberProbe>(

@@ -4,7 +4,6 @@
 #include "vtk/SphereCloud.h"
 
 #include "vtkDataSet.h"
-#include "vtkHyperTreeGrid.h"
 #include "vtkImageData.h"
 #include "vtkImplicitWindingNumber.h"
 #include "vtkNew.h"
@@ -15,7 +14,6 @@
 #include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberClip.h"
 #include "vtkWindingNumberField.h"
-#include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberLabels.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
@@ -66,13 +64,9 @@ const BadValues<int> neighborCounts = {
 const BadValues<double> regularizations = {{-0.5, "-0.5; it must be 0 to 4"},
   {4.5, "4.5; it must be 0 to 4"}, {nan, "nan; it must be a finite number, 0 to 4"}};
 
-/// Whether the output of a filter is a data set without points, or a hyper tree grid without trees.
+/// Returns whether the output of a filter is a data set without points.
 bool isEmpty(vtkAlgorithm* filter)
 {
-  if (auto* trees = vtkHyperTreeGrid::SafeDownCast(filter->GetOutputDataObject(0)))
-  {
-    return trees->GetNumberOfNonEmptyTrees() == 0;
-  }
   auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
   return output && output->GetNumberOfPoints() == 0;
 }
@@ -201,23 +195,6 @@ TEST_F(PropertyRanges, OfTheLabels)
       {65536, "65536; it must be -65535 to 65535"}}));
   EXPECT_EQ(labels->GetStatus(), vtkWindingNumberLabels::REFUSED);
   expectWorking(labels);
-}
-
-TEST_F(PropertyRanges, OfTheHyperTree)
-{
-  vtkNew<vtkWindingNumberHyperTree> trees;
-  trees->SetInputConnection(sphere->GetOutputPort());
-  trees->SetResolution(6);
-  vtkWindingNumberHyperTree* filter = trees;
-  expectCommonPropertiesRefused(filter);
-  expectPropertiesOfGridsRefused(filter);
-  EXPECT_REFUSED(filter, Coverage, choices("CENTER (0), ANY (1) or FRACTION (2)", 3));
-  EXPECT_REFUSED(filter, CoverageSamples,
-    (BadValues<int>{{0, "0; it must be 1 to 10"}, {11, "11; it must be 1 to 10"}}));
-  EXPECT_REFUSED(filter, OutputScalarType, scalarTypes);
-  EXPECT_REFUSED(filter, MergeTolerance, notPositive);
-  EXPECT_EQ(trees->GetStatus(), vtkWindingNumberHyperTree::REFUSED);
-  expectWorking(trees);
 }
 
 TEST_F(PropertyRanges, OfTheSurface)

@@ -10,7 +10,6 @@
 #include "vtkSphereSource.h"
 #include "vtkSurfaceReport.h"
 #include "vtkWindingNumberField.h"
-#include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
 
@@ -93,7 +92,6 @@ TEST(Ranges, CoordinatesOutOfRangeAreRefusedByEveryClass)
     for (vtkDataObject* source : {mesh.Get(), cloud.Get()})
     {
       expectRefused<vtkWindingNumberField>(source, mention);
-      expectRefused<vtkWindingNumberHyperTree>(source, mention);
       expectRefused<vtkWindingNumberSurface>(source, mention);
       expectRefused<vtkSurfaceReport>(source, mention);
       expectRefused<vtkPointAreas>(source, mention);

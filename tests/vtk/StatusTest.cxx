@@ -13,7 +13,6 @@
 #include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberClip.h"
 #include "vtkWindingNumberField.h"
-#include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberLabels.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
@@ -44,8 +43,7 @@ template <class Filter> class Status : public testing::Test
 };
 
 using Filters = testing::Types<vtkPointAreas, vtkWindingNumberBoolean, vtkWindingNumberClip,
-  vtkWindingNumberField, vtkWindingNumberHyperTree, vtkWindingNumberLabels, vtkWindingNumberProbe,
-  vtkWindingNumberSurface>;
+  vtkWindingNumberField, vtkWindingNumberLabels, vtkWindingNumberProbe, vtkWindingNumberSurface>;
 
 /// Names tests after filters.
 struct Names

@@ -17,7 +17,6 @@
 #include "vtkTransformPolyDataFilter.h"
 #include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberField.h"
-#include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberLabels.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
@@ -125,11 +124,9 @@ TEST_F(Time, BoundsOverAllTimesLayOneGrid)
   moved->SetTransform(transform);
   vtkNew<vtkWindingNumberField> field;
   vtkNew<vtkWindingNumberSurface> surface;
-  vtkNew<vtkWindingNumberHyperTree> trees;
   for (vtkWindingNumberGridAlgorithm* filter :
     {static_cast<vtkWindingNumberGridAlgorithm*>(field.Get()),
-      static_cast<vtkWindingNumberGridAlgorithm*>(surface.Get()),
-      static_cast<vtkWindingNumberGridAlgorithm*>(trees.Get())})
+      static_cast<vtkWindingNumberGridAlgorithm*>(surface.Get())})
   {
     filter->SetInputConnection(moved->GetOutputPort());
     filter->BoundsOverAllTimesOn();

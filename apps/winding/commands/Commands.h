@@ -19,7 +19,3 @@ void runProbe(const Options& options, Messages& messages);
 void runNormals(const Options& options, Messages& messages);
 void runCheck(const Options& options, Messages& messages);
 void runBench(const Options& options, Messages& messages);
-
-/// The commands field and voxels with an output .htg: makes the field as a hyper tree grid, in
-/// which what is outside may be masked, and writes and reports it.
-void runHyperTree(const Options& options, bool masksOutside, Messages& messages);

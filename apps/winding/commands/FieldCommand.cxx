@@ -51,11 +51,6 @@ void writeOneFile(vtkWindingNumberField& field, const Options& options, Messages
 
 void runField(const Options& options, Messages& messages)
 {
-  if (suffixOf(options.output) == ".htg")
-  {
-    runHyperTree(options, false, messages);
-    return;
-  }
   vtkNew<vtkWindingNumberField> field;
   applyField(options, field);
   if (suffixOf(options.output) == ".pvti")

@@ -8,21 +8,7 @@
 #include "program/Messages.h"
 
 #include "vtkWindingNumberField.h"
-#include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberLabels.h"
-
-namespace
-{
-
-template <class Filter> void applyArrays(const Options& options, Filter* filter)
-{
-  filter->SetGenerateInside(options.inside || options.insideOnly);
-  filter->SetGenerateWindingNumber(!options.insideOnly);
-  filter->SetResultArrayName(options.array.c_str());
-  filter->SetOutputScalarType(options.asDouble ? VTK_DOUBLE : VTK_FLOAT);
-}
-
-} // namespace
 
 void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
 {
@@ -77,7 +63,10 @@ void applyImage(const Options& options, vtkWindingNumberImageAlgorithm* filter)
 void applyField(const Options& options, vtkWindingNumberField* filter)
 {
   applyImage(options, filter);
-  applyArrays(options, filter);
+  filter->SetGenerateInside(options.inside || options.insideOnly);
+  filter->SetGenerateWindingNumber(!options.insideOnly);
+  filter->SetResultArrayName(options.array.c_str());
+  filter->SetOutputScalarType(options.asDouble ? VTK_DOUBLE : VTK_FLOAT);
   filter->SetGenerateSignedDistance(options.distance);
   filter->SetDistanceBand(options.distanceBand);
   filter->SetGenerateNearestCells(options.nearestCells);
@@ -91,14 +80,6 @@ void applyLabels(const Options& options, vtkWindingNumberLabels* filter)
   filter->SetCoverageArrays(options.shares);
   filter->SetRegionArray(options.regionArray.empty() ? nullptr : options.regionArray.c_str());
   filter->SetLabelOffset(options.labelOffset);
-}
-
-void applyTrees(const Options& options, vtkWindingNumberHyperTree* filter)
-{
-  applyArrays(options, filter);
-  filter->SetCoverage(options.coverage);
-  filter->SetCoverageSamples(options.coverageSamples);
-  filter->SetMergeTolerance(options.mergeTolerance);
 }
 
 void warnOfIdleOptions(

@@ -13,7 +13,6 @@ class vtkPointSet;
 class vtkWindingNumberAlgorithm;
 class vtkWindingNumberField;
 class vtkWindingNumberGridAlgorithm;
-class vtkWindingNumberHyperTree;
 class vtkWindingNumberImageAlgorithm;
 class vtkWindingNumberLabels;
 VTK_ABI_NAMESPACE_END
@@ -33,9 +32,6 @@ void applyField(const Options& options, vtkWindingNumberField* filter);
 
 /// Hands on what applyImage() does, what the solids are, and which arrays they give.
 void applyLabels(const Options& options, vtkWindingNumberLabels* filter);
-
-/// Hands on what makes a voxel inside, and which voxels may share a cell.
-void applyTrees(const Options& options, vtkWindingNumberHyperTree* filter);
 
 /// Warns of options for points where the filter's source, which it has looked at, is a surface.
 void warnOfIdleOptions(

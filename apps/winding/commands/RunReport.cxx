@@ -14,7 +14,6 @@
 #include "vtkMatrix3x3.h"
 #include "vtkPolyData.h"
 #include "vtkWindingNumberField.h"
-#include "vtkWindingNumberHyperTree.h"
 #include "vtkWindingNumberSurface.h"
 
 #include <algorithm>
@@ -70,10 +69,6 @@ void RunReport::addExecution(double seconds)
     {
       sampleCounts_[i] += field->GetSampleCounts()[i];
     }
-  }
-  if (auto* trees = vtkWindingNumberHyperTree::SafeDownCast(&filter_))
-  {
-    inside_ += trees->GetNumberOfInsideSamples();
   }
 }
 
@@ -247,8 +242,7 @@ Json RunReport::report() const
     {"seconds", seconds}, {"peak_memory", largestMemory(peakMemories_)},
     {"threads", threadsUsed(options_.threads)}};
   addRanks(report, peakMemories_);
-  if (vtkWindingNumberField::SafeDownCast(&filter_) ||
-      vtkWindingNumberHyperTree::SafeDownCast(&filter_))
+  if (vtkWindingNumberField::SafeDownCast(&filter_))
   {
     // Pieces of points share the samples between them.
     report["inside"] = this->isInPieces() && !options_.cells ? Json(nullptr) : Json(inside_);
@@ -354,9 +348,7 @@ std::string RunReport::summary(const Json& report) const
   text += "wrote " + options_.output;
   if (!output_.is_null())
   {
-    text += ": " + (output_.contains("points")
-                       ? output_["points"].dump() + " points, " + output_["cells"].dump() + " faces"
-                       : output_["cells"].dump() + " cells");
+    text += ": " + output_["points"].dump() + " points, " + output_["cells"].dump() + " faces";
     if (output_.contains("filled_cavities"))
     {
       text += ", " + output_["filled_cavities"].dump() + " cavities filled";

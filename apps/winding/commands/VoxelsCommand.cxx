@@ -25,11 +25,6 @@ void runVoxels(const Options& given, Messages& messages)
   // numbers; but alone it is made from floats, and only winding numbers can be verified.
   options.inside = true;
   options.insideOnly = !options.asDouble && options.verify == 0;
-  if (suffixOf(options.output) == ".htg")
-  {
-    runHyperTree(options, true, messages);
-    return;
-  }
   OutputFile output(options.output, filesToKeep(options));
   vtkNew<vtkWindingNumberField> field;
   applyField(options, field);

@@ -17,7 +17,6 @@
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkHyperTreeGrid.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -154,17 +153,5 @@ void writeResult(FieldRun& run, vtkPolyData* surface, OutputFile* file)
       }
       run.report().setOutput(output);
       run.report().takeFidelity(surface);
-    });
-}
-
-void writeResult(FieldRun& run, vtkHyperTreeGrid* trees, vtkIdType leaves, OutputFile* file)
-{
-  writeOnFirst(run, file,
-    [&]
-    {
-      writeHyperTrees(trees, *file, run.messages());
-      vtkDataArray* const tolerance = trees->GetFieldData()->GetArray("MergeTolerance");
-      run.report().setOutput({{"file", file->name()}, {"cells", leaves},
-        {"merge_tolerance", tolerance ? tolerance->GetTuple1(0) : 0}});
     });
 }

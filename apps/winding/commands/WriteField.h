@@ -3,14 +3,12 @@
 #pragma once
 
 #include "vtkSmartPointer.h"
-#include "vtkType.h"
 #include "vtkWindingABINamespace.h"
 
 class FieldRun;
 class OutputFile;
 class PiecesFile;
 VTK_ABI_NAMESPACE_BEGIN
-class vtkHyperTreeGrid;
 class vtkImageData;
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
@@ -37,6 +35,3 @@ void writeResult(FieldRun& run, vtkImageData* image, OutputFile* file);
 
 /// Writes a surface that was made of the field or by the filter.
 void writeResult(FieldRun& run, vtkPolyData* surface, OutputFile* file);
-
-/// Writes the field that the filter gave as a hyper tree grid with `leaves` leaves.
-void writeResult(FieldRun& run, vtkHyperTreeGrid* trees, vtkIdType leaves, OutputFile* file);

@@ -38,9 +38,7 @@ void addField(CLI::App& app, Options& options)
 {
   CLI::App* field = addCommand(app, options, "field", "Winding field on a grid of voxels");
   addOutput(field, options,
-    std::string(".vti, .pvti, or .htg, which holds voxels with the same numbers as one cell; or a "
-                "medical image with one array: ") +
-      medicalFormats);
+    std::string(".vti, .pvti, or a medical image with one array: ") + medicalFormats);
   addThreshold(field, options);
   addCoverage(field, options);
   field->add_flag("--inside", options.inside, "Add the array Inside")->group("Output");
@@ -54,10 +52,7 @@ void addField(CLI::App& app, Options& options)
   addArrayName(field, options);
   CLI::Option* asDouble =
     field->add_flag("--double", options.asDouble, "Numbers in double precision, not float");
-  CLI::Option* merge = field->add_option("--merge-tolerance", options.mergeTolerance,
-    "For .htg: voxels whose winding numbers differ by no more than this share a cell, where they "
-    "are no integers (0.01)");
-  for (CLI::Option* option : {insideOnly, band, asDouble, merge})
+  for (CLI::Option* option : {insideOnly, band, asDouble})
   {
     option->group("Output");
   }
@@ -133,8 +128,7 @@ void addVoxels(CLI::App& app, Options& options)
 {
   CLI::App* voxels = addCommand(app, options, "voxels", "Surface of the voxels that are inside");
   addOutput(voxels, options,
-    std::string(surfaceFormats) +
-      "; or the voxels themselves: .htg, a hyper tree grid, or as a mask " + medicalFormats);
+    std::string(surfaceFormats) + "; or the voxels themselves as a mask: " + medicalFormats);
   addThreshold(voxels, options);
   addCoverage(voxels, options);
   voxels

@@ -204,37 +204,6 @@ void checkDistanceBand(const Options& options, const WasGiven& wasGiven)
     "--distance-band is for --distance; say that, too, or leave it out");
 }
 
-void checkTreeLike(const Options& options)
-{
-  requireUsage(options.like.empty() || suffixOf(options.output) != ".htg",
-    "--like is an image, and .htg holds none; give the output another suffix or leave it out");
-}
-
-void checkTreeOfNearest(const Options& options)
-{
-  requireUsage(
-    suffixOf(options.output) != ".htg" || (!options.nearestCells && !options.transferAttributes),
-    "--nearest-cells and --transfer-attributes have no place in .htg; give the output another "
-    "suffix or leave them out");
-}
-
-void checkHyperTree(const Options& options, const WasGiven& wasGiven)
-{
-  const bool isHyperTree = suffixOf(options.output) == ".htg";
-  requireUsage(isHyperTree || !wasGiven("--merge-tolerance"),
-    "--merge-tolerance is for outputs .htg; leave it out");
-  requireUsage(!options.insideOnly || !wasGiven("--merge-tolerance"),
-    "--merge-tolerance is for winding numbers, which --inside-only does not make; leave one out");
-  checkTreeLike(options);
-  requireUsage(!isHyperTree || !options.distance,
-    "--distance needs an image, which .htg is not; give the output the suffix .vti or leave it "
-    "out");
-  checkTreeOfNearest(options);
-  requireUsage(!isHyperTree || !wasGiven("--pieces"),
-    "--pieces is for images; a .htg is always made a few bricks of voxels at a time, so leave it "
-    "out");
-}
-
 void checkLabels(const Options& options, const WasGiven& wasGiven)
 {
   checkOutput(options.output, options.command,
@@ -368,19 +337,18 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
   }
   else if (options.command == "field")
   {
-    checkOutput(options.output, options.command, both({".vti", ".pvti", ".htg"}, medicalSuffixes));
+    checkOutput(options.output, options.command, both({".vti", ".pvti"}, medicalSuffixes));
     checkMedical(options);
     checkFieldOptions(options, wasGiven);
     checkCoverage(options, wasGiven);
     checkDistanceBand(options, wasGiven);
-    checkHyperTree(options, wasGiven);
   }
   else
   {
     std::vector<std::string> suffixes = surfaceSuffixes;
     if (options.command == "voxels")
     {
-      suffixes = both(both(suffixes, {".htg"}), medicalSuffixes);
+      suffixes = both(suffixes, medicalSuffixes);
     }
     else
     {
@@ -397,8 +365,6 @@ void checkOptions(const Options& options, const WasGiven& wasGiven)
     if (options.command == "voxels")
     {
       checkCoverage(options, wasGiven);
-      checkTreeLike(options);
-      checkTreeOfNearest(options);
     }
     requireUsage(!options.distance || suffixOf(options.output) == ".vtp",
       "--distance is for outputs .vtp; give the output that suffix or leave it out");

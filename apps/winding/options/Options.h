@@ -59,7 +59,6 @@ struct Options
   bool fraction = false;
   bool distance = false;
   double distanceBand = 0;
-  double mergeTolerance = 0.01;
   int features = 0;
   bool triangles = false;
   bool closeBorder = false;

@@ -4,7 +4,6 @@
 
 #include "files/Formats.h"
 #include "files/SinglePrecision.h"
-#include "output/HyperTreeWriter.h"
 #include "output/MeshFile.h"
 #include "output/OutputFile.h"
 #include "output/XmlNames.h"
@@ -18,7 +17,6 @@
 #include "vtkCellData.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
-#include "vtkHyperTreeGrid.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -217,16 +215,6 @@ void writeImage(vtkAlgorithmOutput* image, int pieces, OutputFile& file, Message
   writer->SetInputConnection(image);
   writer->SetNumberOfPieces(pieces);
   run(writer.Get(), file, messages, check);
-}
-
-void writeHyperTrees(vtkHyperTreeGrid* grid, OutputFile& file, Messages& messages)
-{
-  vtkNew<HyperTreeWriter> writer;
-  writer->SetHeaderTypeToUInt64();
-  // LZ4 takes as long to write and to read here, and its files are three times as large.
-  writer->SetCompressorTypeToZLib();
-  writer->SetInputData(grid);
-  run(writer.Get(), file, messages);
 }
 
 void writeImage(vtkImageData* image, OutputFile& file, Messages& messages)

@@ -11,7 +11,6 @@ class OutputFile;
 VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithmOutput;
 class vtkDataSet;
-class vtkHyperTreeGrid;
 class vtkImageData;
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
@@ -27,8 +26,6 @@ VTK_ABI_NAMESPACE_END
 void writeImage(vtkAlgorithmOutput* image, int pieces, OutputFile& file, Messages& messages,
   const std::function<void()>& check);
 
-/// Writes the result of vtkWindingNumberHyperTree (.htg).
-void writeHyperTrees(vtkHyperTreeGrid* grid, OutputFile& file, Messages& messages);
 /// Writes an image that is there, or a part of one, with the extent that it has.
 void writeImage(vtkImageData* image, OutputFile& file, Messages& messages);
 

@@ -85,10 +85,6 @@ enum class Parameter
   // booleans
   booleanOperation,
 
-  // hyper tree grids
-  mergeTolerance,
-  maskOutside,
-
   // labels
   overlapRule,
   regionArray,

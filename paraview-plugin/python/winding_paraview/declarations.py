@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The XML files of the plugin in C++, as a plugin in Python needs them.
 
-They are read as they are. Classes are replaced by this package's, icons by files, and hyper
-trees, which Python does not have, are left out.
+They are read as they are. Classes are replaced by this package's, and icons by files.
 """
 
 import math
@@ -14,7 +13,6 @@ from xml.etree import ElementTree
 from xml.sax.saxutils import quoteattr
 
 _BASES = ("WindingNumberAlgorithm", "WindingNumberGridAlgorithm", "WindingNumberProbeAlgorithm")
-_LEFT_OUT = ("WindingNumberHyperTree",)
 _LAST = ("Menu",)
 _MODULE = "winding_paraview.proxies"
 # Where the filters refuse more, as Options.def of the filters in C++ has it.
@@ -43,8 +41,7 @@ def read(folder):
     if not paths:
         raise FileNotFoundError(f"there are no files of XML in {folder}")
     icons = (pathlib.Path(folder).parent / "icons").as_posix()
-    return [_of_python(path.read_text(encoding="utf-8"), icons) for path in paths
-            if path.stem not in _LEFT_OUT]
+    return [_of_python(path.read_text(encoding="utf-8"), icons) for path in paths]
 
 
 def _of_python(text, icons):
@@ -52,8 +49,6 @@ def _of_python(text, icons):
     text = re.sub(
         r'(<SourceProxy\b[^>]*?\s)class="vtk(\w+)"',
         rf'\1class="{_MODULE}.\2" si_class="vtkSIPythonSourceProxy"', text)
-    for name in _LEFT_OUT:
-        text = re.sub(rf'\n *<Proxy [^>]*name="{name}"[^>]*/>', "", text)
     return text.replace('icon=":/WindingNumbers', f'icon={quoteattr(icons)[:-1]}')
 
 
