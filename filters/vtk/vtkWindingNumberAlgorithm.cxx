@@ -28,6 +28,7 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -145,13 +146,15 @@ vtkMultiProcessController* vtkWindingNumberAlgorithm::GetController() const
   return this->Controller;
 }
 
-std::string vtkWindingNumberAlgorithm::GetUnitAdvice(
-  const std::vector<vtkDataObject*>& inputs, const std::vector<std::string>& names)
+std::string vtkWindingNumberAlgorithm::GetUnitAdvice(vtkMultiBlockDataSet* inputs)
 {
   std::vector<winding::NamedBounds> compared;
-  for (std::size_t i = 0; i < std::min(inputs.size(), names.size()); ++i)
+  for (unsigned int i = 0; inputs && i < inputs->GetNumberOfBlocks(); ++i)
   {
-    compared.push_back({names[i], winding::pointBoundsOf(inputs[i])});
+    const char* name =
+      inputs->HasMetaData(i) ? inputs->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) : nullptr;
+    compared.push_back(
+      {name ? name : std::to_string(i + 1), winding::pointBoundsOf(inputs->GetBlock(i))});
   }
   const auto advice = winding::unitAdvice(compared);
   return advice ? winding::lineOf(*advice) : "";

@@ -66,7 +66,7 @@
 #include <functional>
 #include <memory> // for the field of the source, which is kept
 #include <string> // for names of inputs
-#include <vector> // for several inputs
+#include <vector> // for the fields of sources
 
 namespace winding
 {
@@ -83,6 +83,7 @@ struct SourceOptions;
 } // namespace winding
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
+class vtkMultiBlockDataSet;
 class vtkMultiProcessController;
 
 class VTKFILTERSWINDING_EXPORT vtkWindingNumberAlgorithm : public vtkAlgorithm
@@ -156,11 +157,10 @@ public:
   /// It is 1 until a filter has met others.
   static int GetRanksOnHost();
 
-  /// Returns one line about inputs that seem to be in another unit than the others, as inches are
-  /// next to millimetres; empty where all fit. Their bounds are compared. `names` are what to call
-  /// them.
-  static std::string GetUnitAdvice(
-    const std::vector<vtkDataObject*>& inputs, const std::vector<std::string>& names);
+  /// Returns one line about an input that seems to be in another unit than another one, as inches
+  /// are next to millimetres; empty where all fit. The blocks are the inputs, called by their names
+  /// or numbers. Bounds are compared: one has the sides of the other times 10 or 25.4, say.
+  static std::string GetUnitAdvice(vtkMultiBlockDataSet* inputs);
 
   /// The kinds of sources.
   enum SourceKindType

@@ -57,7 +57,7 @@
  * Errors, each one line through vtkErrorMacro, are vtkWindingNumberField's, and labels that
  * are not 1 to 65535, blocks without a surface where others have one, and arrays that do not say
  * regions. Warnings, each one line, count solids that are empty, not closed or inside out, and
- * names that occur again. One names inputs that seem to be in another unit than the others.
+ * names that occur again. One names an input that seems to be in another unit than another one.
  *
  * @sa vtkWindingNumberField vtkWindingNumberVoxels vtkSurfaceNets3D
  */

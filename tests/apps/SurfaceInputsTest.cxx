@@ -433,7 +433,8 @@ TEST_F(SurfaceInputs, FilesInAnotherUnitAreTold)
   const Polygons faces = facesOfBox();
   const std::string walls =
     folder.write("walls.obj", asObj(corners, {faces[0], faces[1], faces[2], faces[4]}));
-  const std::string outlet = folder.write("outlet.off", asOff({corners, {{1, 2, 6}, {1, 6, 5}}}));
+  const Points last = {corners[1], corners[2], corners[6], corners[5]};
+  const std::string outlet = folder.write("outlet.off", asOff({last, {{0, 1, 2}, {0, 2, 3}}}));
   const auto inletTimes = [&](double scale)
   {
     Points ends = {corners[3], corners[0], corners[4], corners[7]};
@@ -452,20 +453,20 @@ TEST_F(SurfaceInputs, FilesInAnotherUnitAreTold)
   {
     const std::string warnings = warningsOf(inletTimes(1 / unit));
     const std::string expected =
-      std::string("'inlet.obj' seems to be in another unit: scale it by ") + factor + ";";
+      std::string("'inlet' seems to be in another unit: scale it by ") + factor + ";";
     EXPECT_NE(warnings.find(expected), std::string::npos) << warnings;
     EXPECT_EQ(warnings.find(expected, warnings.find(expected) + 1), std::string::npos) << "once";
   }
   // Solids of labels are compared, too. A bolt next to a ship is none in another unit.
   const std::string box = folder.write("box.obj", asObj(corners, faces));
-  const std::string small = folder.write("small.obj", asObj(cornersOfBox(6, 7, 1), faces));
+  const std::string small = folder.write("small.obj", asObj(cornersOfBox(6, 12, 1), faces));
   const std::string bolt = folder.write("bolt.obj", asObj(cornersOfBox(2, 2.5, 0.1), faces));
   const auto labelled = [&](const std::string& other)
   {
     return runProgram({"labels", box, other, "-o", folder.path("labels.vti"), "--resolution", "8"})
       .err;
   };
-  EXPECT_NE(labelled(small).find("'small.obj' seems to be in another unit"), std::string::npos)
+  EXPECT_NE(labelled(small).find("'small' seems to be in another unit"), std::string::npos)
     << labelled(small);
   EXPECT_EQ(labelled(bolt).find("another unit"), std::string::npos) << labelled(bolt);
 }

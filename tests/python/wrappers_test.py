@@ -15,7 +15,7 @@ import sys
 import tempfile
 import unittest
 
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkImageData, vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersGeneral import vtkClipDataSet
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
@@ -256,6 +256,20 @@ class PipelineTest(unittest.TestCase):
         surface = vtkFiltersWinding.vtkWindingNumberSurface()
         surface.SetResolution(16)
         self.assertGreater(self.after(surface).GetOutput().GetNumberOfCells(), 100)
+
+    def test_unit_advice(self):
+        inputs = vtkMultiBlockDataSet()
+        for radius, name in ((1, "small.stl"), (25.4, "large.stl")):
+            sphere = vtkSphereSource()
+            sphere.SetRadius(radius)
+            sphere.Update()
+            block = inputs.GetNumberOfBlocks()
+            inputs.SetBlock(block, sphere.GetOutput())
+            inputs.GetMetaData(block).Set(vtkCompositeDataSet.NAME(), name)
+        advise = vtkFiltersWinding.vtkWindingNumberAlgorithm.GetUnitAdvice
+        self.assertIn("'small.stl' seems to be in another unit: scale it by 25.4", advise(inputs))
+        inputs.RemoveBlock(1)
+        self.assertEqual(advise(inputs), "")
 
     def test_probe_and_clip(self):
         for name in ("vtkWindingNumberProbe", "vtkWindingNumberClip"):

@@ -173,14 +173,7 @@ vtkSmartPointer<vtkDataObject> readSource(const Options& options, Messages& mess
       vtkCompositeDataSet::NAME(), std::filesystem::path(unpackedName(file)).stem().c_str());
   }
   messages.setSubject(options.input); // what follows is about all of them
-  std::vector<vtkDataObject*> inputs;
-  std::vector<std::string> names;
-  for (unsigned int block = 0; block < blocks->GetNumberOfBlocks(); ++block)
-  {
-    inputs.push_back(blocks->GetBlock(block));
-    names.push_back(std::filesystem::path(files[block]).filename());
-  }
-  const std::string advice = vtkWindingNumberAlgorithm::GetUnitAdvice(inputs, names);
+  const std::string advice = vtkWindingNumberAlgorithm::GetUnitAdvice(blocks);
   if (!advice.empty())
   {
     messages.warn(advice);

@@ -20,23 +20,12 @@ struct NamedBounds
 };
 
 /**
- * Returns a warning of inputs that seem to be in another unit than the others; none where all fit.
+ * Returns a warning of two inputs that seem to be in different units; none where all fit.
  *
- * An input is noticed if its coordinates times 1000, 25.4 or the inverse of these fit the others,
- * and do not as they are. It is compared with the box of all others that are not tiny themselves:
- * - As it is, it is more than 20 times as large or as small, and has no side in common with the
- *   box.
- * - Times the factor, it is at most 20 times as large or as small. Its box touches the other one,
- *   and two of its sides or more lie in sides of that. One side is enough for a flat input that
- *   lies within a side of the other box.
- *
- * Sides have a plane in common within a thousandth of the smaller size. Planes through the origin
- * do not count, since factors leave them where they are. A factor of 10 or 100 is never looked for:
- * a body in its far field, or a bolt in its machine, has that ratio by chance.
- *
- * Where inputs of either unit may be wrong, those are named that are compared with more others, or
- * else the fewer ones, or else the smaller ones. A uniform scale of all coordinates changes
- * nothing.
+ * One box has the sides of the other one times 10, 25.4, 100, 304.8 or 1000. They may differ by 1 %
+ * of the longest side. Places do not matter, and neither does a uniform scale of all coordinates.
+ * The smaller input is named, for nothing says which of the two is wrong. A body in a far field of
+ * its own proportions has such a ratio by chance.
  */
 std::optional<Message> unitAdvice(const std::vector<NamedBounds>& inputs);
 
