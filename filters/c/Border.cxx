@@ -214,6 +214,12 @@ bool Triangles::isKept(std::size_t triangle) const
   return isUsable(view_, triangle);
 }
 
+InsideTest insideTestOf(const winding_rule* rule)
+{
+  const winding_rule inside = known(rule, defaultRule());
+  return {ruleOf(inside), inside.winding_threshold};
+}
+
 InsideRule ruleOf(const winding_rule& rule)
 {
   checkProperty(Parameter::insideRule, rule.inside_rule);

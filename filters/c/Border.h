@@ -12,6 +12,7 @@
 #include "field/Field.h"
 #include "messages/Options.h"
 #include "source/Grid.h"
+#include "tasks/Task.h"
 #include "winding.h"
 
 #include <algorithm>
@@ -185,6 +186,7 @@ private:
 ///@{
 /// Choices and options of the core. Throw Refusal for values out of range.
 InsideRule ruleOf(const winding_rule& rule);
+InsideTest insideTestOf(const winding_rule* rule); ///< null for the defaults
 FieldOptions optionsOf(const winding_options* options);
 double toleranceOf(const winding_options* options);
 Grid gridOf(const winding_grid* grid);
@@ -194,11 +196,21 @@ Grid gridOf(const winding_grid* grid);
 class Call
 {
 public:
-  explicit Call(const winding_run* run)
-    : run_(known(run, defaultRun()))
+  explicit Call(const winding_run* wished)
+    : run_(known(wished, defaultRun()))
     , executor(run_)
+    , run{executor, [this](const Message& message) { this->warn(message); }, {}}
   {
+    if (run_.free_memory > 0)
+    {
+      run.freeMemory = [this]
+      {
+        return run_.free_memory;
+      };
+    }
   }
+  Call(const Call&) = delete;
+  void operator=(const Call&) = delete;
 
   /// Has warnings begin with the name of a source from now on, or not if it is empty.
   void nameSource(const std::string& name) { prefix_ = name.empty() ? "" : "'" + name + "': "; }
@@ -215,6 +227,7 @@ private:
 
 public:
   ThreadExecutor executor;
+  Run run; ///< for tasks
 };
 
 /// The words of messages that a caller wants.
@@ -261,7 +274,7 @@ winding_status guarded(const winding_run* run, winding_refusal* refusal, const W
     try
     {
       write(refusal, found.message(), run);
-      return WINDING_REFUSED;
+      return dynamic_cast<const OutOfMemory*>(&found) ? WINDING_NO_MEMORY : WINDING_REFUSED;
     }
     catch (const std::exception&)
     {

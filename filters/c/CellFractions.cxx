@@ -179,7 +179,7 @@ winding_status winding_cell_fractions(const winding_field* field, winding_array 
       float* const to = given.size() > 0 ? &required(fractions, "fractions") : fractions;
       Call call(run);
       winding::CellsWithoutFraction counts;
-      evaluateInTime(*handle.field, handle.tolerance, given.size(), call,
+      evaluateInTime(*handle.field, given.size(), call,
         [&]
         {
           counts = winding::evaluateFractions(

@@ -4,11 +4,10 @@
 
 #include "Handles.h"
 #include "base/SideCounts.h"
-#include "diagnosis/Diagnosis.h"
-#include "diagnosis/GridAdvice.h"
 #include "messages/PropertyChecks.h"
 #include "report/ExpectedTimeAdvice.h"
 #include "report/Verify.h"
+#include "tasks/ResultNotes.h"
 #include "voxels/VoxelEvaluation.h"
 
 #include <cmath>
@@ -16,8 +15,8 @@
 namespace winding::c
 {
 
-void evaluateInTime(const Field& field, double tolerance, std::size_t samples, Call& call,
-  const std::function<void()>& work)
+void evaluateInTime(
+  const Field& field, std::size_t samples, Call& call, const std::function<void()>& work)
 {
   const double limit = call.longestExpectedTime();
   double nextLook = limit > 0 ? std::min(limit, 1.0) : 1;
@@ -30,54 +29,13 @@ void evaluateInTime(const Field& field, double tolerance, std::size_t samples, C
         return;
       }
       nextLook = 2 * elapsed;
-      const auto advice = expectedTimeAdvice(field.info(), {expected, limit, samples, tolerance});
+      const auto advice = expectedTimeAdvice(field.info(), {expected, limit, samples});
       if (advice && !isAnnounced)
       {
         isAnnounced = true;
         call.warn(*advice);
       }
     });
-}
-
-void warnOfResult(const winding_field& handle, const Grid& grid, const ResultOnGrid& result,
-  const winding_rule& rule, Call& call)
-{
-  const Field& field = *handle.field;
-  if (field.info().primitives == 0)
-  {
-    return;
-  }
-  const InsideRule insideRule = ruleOf(rule);
-  const Diagnosis& diagnosis = field.diagnosis();
-  if (const auto openSide = diagnosis.ofOpenSide(
-        {rule.winding_threshold, result.takesTouchedVoxels, result.mayCloseBorder}))
-  {
-    call.warn(*openSide);
-  }
-  const Facing facing =
-    diagnosis.facing(result.sides, insideRule, rule.winding_threshold, call.executor);
-  if (facing.warning)
-  {
-    call.warn(*facing.warning);
-  }
-  if (result.withoutAdvice || diagnosis.hasNoSides(call.executor))
-  {
-    return;
-  }
-  GridResult found;
-  found.isEmpty = result.isEmpty && !facing.isInsideOut;
-  found.mayTouch = result.mayTouchVoxels;
-  found.isSheet = field.info().openings.areOfSheet();
-  found.hasHighThreshold = insideRule != InsideRule::odd && rule.winding_threshold > 0.5;
-  if (!facing.looksInward && !result.takesTouchedVoxels)
-  {
-    found.parts =
-      diagnosis.thinParts(grid, result.isInside, insideRule, rule.winding_threshold, call.executor);
-  }
-  if (const auto advice = gridAdvice(grid, field.info().bounds, found))
-  {
-    call.warn(*advice);
-  }
 }
 
 Extent extentOf(const Grid& grid, const int32_t* extent)
@@ -241,10 +199,10 @@ winding_status winding_evaluate_grid(const winding_field* field, const winding_g
         voxels.coverage != winding::Coverage::center || (isWhole && !wished.winding);
       std::vector<unsigned char> own(needsInside && !wished.inside ? count : 0);
       voxels.output.inside = own.empty() ? wished.inside : own.data();
-      evaluateInTime(*handle.field, handle.tolerance, count, call,
+      evaluateInTime(*handle.field, count, call,
         [&] { voxels.run(*handle.field, samples, part, call.executor); });
       const unsigned char* const isInside = voxels.output.inside;
-      ResultOnGrid result;
+      winding::ResultOnGrid result;
       result.sides = sides.counts(count);
       std::size_t insideCount = result.sides.inside;
       if (isInside)
@@ -266,7 +224,10 @@ winding_status winding_evaluate_grid(const winding_field* field, const winding_g
                               voxels.output.rule, voxels.output.threshold);
         };
         call.executor.setShare(1, 1);
-        warnOfResult(handle, samples, result, inside, call);
+        winding::warnOfOpenSide(
+          *handle.field, {voxels.output.threshold, result.takesTouchedVoxels}, call.run);
+        winding::warnOfResult(
+          *handle.field, samples, result, {voxels.output.rule, voxels.output.threshold}, call.run);
       }
       winding_values written = wished;
       written.inside_count = static_cast<int64_t>(insideCount);
@@ -293,7 +254,7 @@ winding_status winding_evaluate_points(const winding_field* field, winding_array
       winding::SideTally sides;
       FieldOutput output = outputOf(wished, inside);
       output.sides = &sides;
-      evaluateInTime(*handle.field, handle.tolerance, samples.size(), call,
+      evaluateInTime(*handle.field, samples.size(), call,
         [&]
         {
           const bool hasGradients = wished.gradient != nullptr;
@@ -307,15 +268,7 @@ winding_status winding_evaluate_points(const winding_field* field, winding_array
         });
       const winding::SideCounts counts = sides.counts(samples.size());
       call.executor.setShare(1, 1);
-      if (handle.field->info().primitives > 0)
-      {
-        const winding::Facing facing =
-          handle.field->diagnosis().facing(counts, output.rule, output.threshold, call.executor);
-        if (facing.warning)
-        {
-          call.warn(*facing.warning);
-        }
-      }
+      winding::warnOfSides(*handle.field, counts, {output.rule, output.threshold}, call.run);
       winding_values written = wished;
       written.inside_count = static_cast<int64_t>(counts.inside);
       give(written, *values);

@@ -17,7 +17,6 @@
 struct winding_field
 {
   std::shared_ptr<const winding::Field> field;
-  double tolerance; ///< that it was made with
 };
 
 /// The handle of a mesh. Arrays that it does not have are empty.
@@ -30,6 +29,7 @@ struct winding_mesh
   winding::UninitializedVector<double> doublePointNormals, pointAreas;
   winding::UninitializedVector<std::uint16_t> labels;
   winding::UninitializedVector<std::int64_t> numbers; ///< of polygons
+  winding::UninitializedVector<std::int32_t> operands;
   winding::UninitializedVector<double> slitWidths;    ///< of polygons
   winding::UninitializedVector<std::int64_t> lineOffsets, lineCorners;
   winding::UninitializedVector<std::int64_t> vertexOffsets, vertexCorners;

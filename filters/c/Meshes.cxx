@@ -3,23 +3,18 @@
 #include "Evaluation.h"
 #include "Handles.h"
 #include "diagnosis/GridAdvice.h"
-#include "level/CombinedRoots.h"
-#include "level/GridContour.h"
-#include "level/LevelMemory.h"
-#include "level/LevelRoots.h"
-#include "level/ShapedSolid.h"
-#include "level/SharpContour.h"
 #include "messages/PropertyChecks.h"
 #include "report/Fidelity.h"
+#include "tasks/SurfaceTask.h"
 #include "voxels/BlockSurface.h"
 
 #include <algorithm>
-#include <functional>
-#include <memory>
+#include <stdexcept>
 
 using namespace winding::c;
 using winding::Field;
 using winding::Grid;
+using winding::Output;
 
 namespace
 {
@@ -33,22 +28,6 @@ winding_surface_options defaultSurfaceOptions()
   return options;
 }
 
-/// Sizes the points of a mesh, in the precision that is wanted, and has `write` write them.
-template <class Write>
-void writePoints(winding_mesh& mesh, std::size_t count, bool areDoubles, const Write& write)
-{
-  if (areDoubles)
-  {
-    mesh.doublePoints.resize(3 * count);
-    write(mesh.doublePoints.data());
-  }
-  else
-  {
-    mesh.floatPoints.resize(3 * count);
-    write(mesh.floatPoints.data());
-  }
-}
-
 /// Makes the offsets of polygons of `corners` corners each.
 void writeOffsets(winding_mesh& mesh, std::size_t polygons, std::int64_t corners)
 {
@@ -59,218 +38,85 @@ void writeOffsets(winding_mesh& mesh, std::size_t polygons, std::int64_t corners
   }
 }
 
-/// A share of the progress of a call.
-struct Share
-{
-  double begin = 0, end = 1;
-
-  double at(double part) const { return begin + part * (end - begin); }
-};
-
-void setShare(Call& call, const Share& share, double begin, double end)
-{
-  call.executor.setShare(share.at(begin), share.at(end));
-}
-
-/// The surface between inside and outside of a field, for one call.
-class LevelSurface
+/// Gives a task the memory of a mesh.
+class MeshSink final : public winding::Sink
 {
 public:
-  LevelSurface(const winding_field& handle, const Grid& grid, const winding_rule& rule,
-    const winding_surface_options& options, Call& call, Share share = {})
-    : handle_(handle)
-    , field_(*handle.field)
-    , grid_(grid)
-    , rule_(rule)
-    , options_(options)
-    , call_(call)
-    , share_(share)
-    , edges_(field_, grid, ruleOf(rule), rule.winding_threshold, options.close_border != 0)
+  explicit MeshSink(winding_mesh& mesh)
+    : mesh_(mesh)
   {
   }
 
-  /// Finds the edges of the grid that the surface crosses.
-  void findEdges()
+protected:
+  void* memoryOf(Output output, winding::NumberType type, std::size_t tuples) override
   {
-    while (!edges_.isDone())
+    const auto sized = [&](auto& numbers) -> void*
     {
-      setShare(call_, share_, 0.5 * edges_.progress(), 0.5 * edges_.nextProgress());
-      edges_.advance(call_.executor);
-    }
-  }
-
-  /// Warns of what the edges say of the field; `isWhole` says whether it is a whole result, and
-  /// `isLast` whether its surface is.
-  void warn(bool isWhole, bool isLast)
-  {
-    const bool isAllInside = edges_.areAllInside();
-    if (isAllInside && isLast && !options_.generate_image)
-    {
-      call_.warn(winding::allInsideAdvice());
-    }
-    ResultOnGrid result;
-    result.sides = edges_.sides();
-    result.isEmpty = edges_.size() == 0 && !isAllInside;
-    result.mayCloseBorder = options_.close_border == 0;
-    // Operands may lie beyond the grid, or end there.
-    const bool isLost = result.isEmpty && !winding::missesSource(grid_, field_.info().bounds);
-    result.withoutAdvice = !isWhole && !isLost;
-    result.isInside = [this](int i, int j, int k)
-    {
-      return edges_.isSampleInside({i, j, k});
+      numbers.resize(winding::componentsOf(output) * tuples);
+      return numbers.data();
     };
-    warnOfResult(handle_, grid_, result, rule_, call_);
-  }
-
-  /// Finds where the surface crosses the edges.
-  const winding::EdgeRoots& findRoots()
-  {
-    winding::LevelRoots roots(field_, grid_, edges_, ruleOf(rule_), rule_.winding_threshold,
-      handle_.tolerance, call_.executor);
-    for (double progress = 0.5; !roots.isDone();)
+    switch (output)
     {
-      const double next = progress + (1 - progress) / 8;
-      setShare(call_, share_, progress, next);
-      progress = next;
-      roots.advance(call_.executor);
+    case Output::points:
+      return type == winding::NumberType::float64 ? sized(mesh_.doublePoints)
+                                                  : sized(mesh_.floatPoints);
+    case Output::offsets:
+      return sized(mesh_.offsets);
+    case Output::corners:
+      return sized(mesh_.corners);
+    case Output::pointNormals:
+      return sized(mesh_.pointNormals);
+    case Output::polygonNormals:
+      return sized(mesh_.polygonNormals);
+    case Output::operands:
+      return sized(mesh_.operands);
+    case Output::inside:
+      return sized(mesh_.inside);
     }
-    if (options_.features == WINDING_FEATURES_SHARP)
-    {
-      roots.addGradients(call_.executor);
-    }
-    roots_ = roots.take();
-    return roots_;
+    throw std::logic_error("meshes do not have this array");
   }
-
-  /// Makes the shape of the solid, whose roots are found, and warns of what it lost.
-  winding::ShapedSolid shaped(const winding::SolidShape& shape)
-  {
-    setShare(call_, share_, 0.5, 1);
-    winding::ShapedSolid made(field_, grid_, ruleOf(rule_), rule_.winding_threshold,
-      handle_.tolerance, edges_, roots_, shape, options_.features == WINDING_FEATURES_SHARP,
-      call_.executor);
-    const bool isEmpty = made.edges().size() == 0;
-    const bool isAllInside = made.edges().areAllInside();
-    const auto advice = winding::shapeAdvice(grid_, shape, isEmpty, isAllInside);
-    if (advice && !(isAllInside && options_.generate_image))
-    {
-      call_.warn(*advice);
-    }
-    return made;
-  }
-
-  const winding::LevelEdges& edges() const { return edges_; }
-  const winding::EdgeRoots& roots() const { return roots_; }
 
 private:
-  const winding_field& handle_;
-  const Field& field_;
-  const Grid& grid_;
-  const winding_rule& rule_;
-  const winding_surface_options& options_;
-  Call& call_;
-  Share share_;
-  winding::LevelEdges edges_;
-  winding::EdgeRoots roots_ = winding::EdgeRoots(0);
+  winding_mesh& mesh_;
 };
 
-/// Writes the surface that crosses edges, and which samples are inside if so wished. `findRoots`
-/// finds where it crosses; `operands` are numbers of the edges that polygons get, or null. Warns of
-/// a surface that is open at the border of the grid.
-void writeSurface(const Grid& grid, const winding::LevelEdges& edges,
-  const std::function<const winding::EdgeRoots&()>& findRoots,
-  const std::vector<std::uint32_t>* operands, const winding_surface_options& options, Call& call,
-  winding_mesh& mesh)
+/// Returns the options of a task on a grid. Throws Refusal and Misuse for values out of range.
+winding::SurfaceOptions optionsOf(
+  const winding_surface_options& wished, const winding_rule* rule, const Grid& grid)
 {
-  if (options.generate_image)
-  {
-    mesh.inside.resize(winding::sampleCount(grid.wholeExtent()));
-    edges.writeInside(mesh.inside.data(), call.executor);
-  }
-  else if (!options.close_border && edges.size() > 0 && edges.reachesBorder())
-  {
-    call.warn(winding::openResultAdvice());
-  }
-  const bool areDoubles =
-    options.type == 0 ? winding::needsDoublePoints(grid) : options.type == WINDING_FLOAT64;
-  if (options.features != WINDING_FEATURES_SMOOTH)
-  {
-    const winding::EdgeRoots* const roots =
-      options.features == WINDING_FEATURES_SHARP ? &findRoots() : nullptr;
-    const winding::SharpContour contour(
-      grid, edges, roots, options.generate_triangles != 0, call.executor);
-    writePoints(mesh, contour.vertices(), areDoubles,
-      [&](auto* points) { contour.place(points, call.executor); });
-    mesh.offsets.resize(contour.polygons() + 1);
-    mesh.corners.resize(contour.corners());
-    contour.writePolygons(mesh.offsets.data(), mesh.corners.data(), call.executor);
-    if (options.generate_normals)
-    {
-      mesh.polygonNormals.resize(3 * contour.polygons());
-      contour.writeNormals(mesh.polygonNormals.data(), call.executor);
-    }
-    if (operands)
-    {
-      std::vector<std::uint32_t> edgeOf(contour.polygons());
-      contour.writeEdges(edgeOf.data(), call.executor);
-      mesh.numbers.resize(edgeOf.size());
-      std::transform(edgeOf.begin(), edgeOf.end(), mesh.numbers.begin(),
-        [operands](std::uint32_t edge) { return (*operands)[edge]; });
-    }
-    return;
-  }
-  winding::GridContour contour(grid, edges, call.executor);
-  mesh.corners.resize(3 * contour.triangles());
-  writeOffsets(mesh, contour.triangles(), 3);
-  contour.takeTriangles(mesh.corners.data(), call.executor);
-  const winding::EdgeRoots& roots = findRoots();
-  writePoints(mesh, contour.vertices(), areDoubles,
-    [&](auto* points)
-    {
-      contour.place(roots, points, call.executor);
-      if (options.generate_normals)
-      {
-        mesh.pointNormals.resize(3 * contour.vertices());
-        contour.writeNormals(
-          mesh.corners.data(), points, roots.normals, mesh.pointNormals.data(), call.executor);
-      }
-    });
-  if (operands)
-  {
-    mesh.numbers.resize(contour.triangles());
-    for (std::size_t triangle = 0; triangle < mesh.numbers.size(); ++triangle)
-    {
-      mesh.numbers[triangle] = winding::operandOf(&mesh.corners[3 * triangle], *operands);
-    }
-  }
-}
-
-winding::SolidShape shapeOf(const winding_surface_options& options)
-{
-  winding::SolidShape shape;
-  shape.fillsCavities = options.fill_cavities != 0;
-  shape.offset = options.offset;
-  shape.shell = options.shell;
-  shape.shellSide = static_cast<winding::ShellSide>(options.shell_side);
-  return shape;
-}
-
-winding_surface_options checkedOptions(const winding_surface_options* options, const Grid& grid)
-{
-  const winding_surface_options wished = known(options, defaultSurfaceOptions());
   winding::checkProperty(winding::Parameter::features, wished.features);
   winding::checkProperty(winding::Parameter::offset, wished.offset);
   winding::checkProperty(winding::Parameter::shell, wished.shell);
   winding::checkProperty(winding::Parameter::shellSide, wished.shell_side);
-  if (wished.type != 0 && wished.type != WINDING_FLOAT32 && wished.type != WINDING_FLOAT64)
+  winding::SurfaceOptions options;
+  options.isInside = insideTestOf(rule);
+  options.shape.fillsCavities = wished.fill_cavities != 0;
+  options.shape.offset = wished.offset;
+  options.shape.shell = wished.shell;
+  options.shape.shellSide = static_cast<winding::ShellSide>(wished.shell_side);
+  options.features = static_cast<winding::Features>(wished.features);
+  options.areTriangles = wished.generate_triangles != 0;
+  options.closesBorder = wished.close_border != 0;
+  options.hasNormals = wished.generate_normals != 0;
+  options.hasImage = wished.generate_image != 0;
+  switch (wished.type)
   {
+  case 0:
+    break;
+  case WINDING_FLOAT32:
+    options.pointType = winding::PointType::float32;
+    break;
+  case WINDING_FLOAT64:
+    options.pointType = winding::PointType::float64;
+    break;
+  default:
     throw Misuse("options.type is no type of floating-point numbers");
   }
-  if (!wished.close_border)
+  if (!options.closesBorder)
   {
     winding::refuseFlatGrid(grid);
   }
-  return wished;
+  return options;
 }
 
 /// Makes the quads between voxels, with labels on both sides of them.
@@ -322,49 +168,27 @@ winding_status winding_level_surface(const winding_field* field, const winding_g
     [&]
     {
       required(mesh, "mesh") = nullptr;
-      const winding_field& handle = required(field, "field");
+      const Field& source = *required(field, "field").field;
       const Grid samples = gridOf(grid);
-      const winding_rule inside = known(rule, defaultRule());
-      const winding_surface_options wished = checkedOptions(options, samples);
+      const winding::SurfaceOptions wished =
+        optionsOf(known(options, defaultSurfaceOptions()), rule, samples);
       Call call(run);
       giveHandle(*mesh,
         [&](winding_mesh& made)
         {
-          LevelSurface surface(handle, samples, inside, wished, call);
-          evaluateInTime(*handle.field, handle.tolerance,
-            winding::sampleCount(samples.wholeExtent()), call,
-            [&]
-            {
-              surface.findEdges();
-              const winding::SolidShape shape = shapeOf(wished);
-              if (!winding::isSheet(handle.field->info(), shape))
-              {
-                surface.warn(true, shape.isPlain());
-              }
-              if (shape.isPlain())
-              {
-                writeSurface(
-                  samples, surface.edges(),
-                  [&]() -> const winding::EdgeRoots& { return surface.findRoots(); }, nullptr,
-                  wished, call, made);
-                return;
-              }
-              surface.findRoots();
-              const winding::ShapedSolid shaped = surface.shaped(shape);
-              made.filledCavities = static_cast<std::int64_t>(shaped.cavities());
-              if (shape.hasDistances())
-              {
-                made.distancesFrom = shaped.base() == winding::DistanceBase::source
-                                       ? WINDING_DISTANCES_FROM_SOURCE
-                                       : WINDING_DISTANCES_FROM_SURFACE;
-                made.distances = shape.band();
-                made.distanceTree = shaped.surfaceTree();
-              }
-              writeSurface(
-                samples, shaped.edges(),
-                [&]() -> const winding::EdgeRoots& { return shaped.roots(); }, nullptr, wished,
-                call, made);
-            });
+          MeshSink sink(made);
+          winding::SurfaceResult result;
+          evaluateInTime(source, winding::sampleCount(samples.wholeExtent()), call,
+            [&] { result = winding::makeSurface(source, samples, wished, sink, call.run); });
+          made.filledCavities = static_cast<std::int64_t>(result.cavities);
+          if (wished.shape.hasDistances())
+          {
+            made.distancesFrom = result.distancesFrom == winding::DistanceBase::source
+                                   ? WINDING_DISTANCES_FROM_SOURCE
+                                   : WINDING_DISTANCES_FROM_SURFACE;
+            made.distances = wished.shape.band();
+            made.distanceTree = result.surfaceTree;
+          }
         });
     });
 }
@@ -383,86 +207,56 @@ winding_status winding_boolean(const winding_field* const* fields, size_t count,
         throw winding::Refusal(winding::Message("there are fewer than two solids"));
       }
       winding::checkProperty(winding::Parameter::booleanOperation, operation);
-      const auto kind = static_cast<winding::BooleanOperation>(operation);
       const Grid samples = gridOf(grid);
-      const winding_surface_options wished = checkedOptions(options, samples);
-      if (wished.fill_cavities || wished.offset != 0 || wished.shell != 0)
+      const winding_surface_options wished = known(options, defaultSurfaceOptions());
+      const winding::SurfaceOptions ofResult = optionsOf(wished, nullptr, samples);
+      winding::BooleanTask task(
+        samples, static_cast<winding::BooleanOperation>(operation), ofResult);
+      if (!ofResult.shape.isPlain())
       {
         throw Misuse("options have a shape, which a result of several solids does not take");
       }
-      std::vector<winding_rule> inside(count, defaultRule());
+      std::vector<winding::InsideTest> areInside;
       for (std::size_t i = 0; i < count; ++i)
       {
         required(first[i], "fields[i]");
-        inside[i] = rules ? known(elementOf(rules, i), defaultRule()) : inside[i];
+        areInside.push_back(insideTestOf(rules ? elementOf(rules, i) : nullptr));
       }
       Call call(run);
+      const double parts = static_cast<double>(count) + 1;
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        const Field& field = *first[i]->field;
+        call.nameSource(wished.names ? &required(wished.names[i], "options.names[i]") : "");
+        call.executor.setShare(static_cast<double>(i) / parts, static_cast<double>(i + 1) / parts);
+        evaluateInTime(field, winding::sampleCount(samples.wholeExtent()), call,
+          [&] { task.add(field, areInside[i], call.run); });
+      }
+      call.nameSource("");
+      call.executor.setShare(1 - 1 / parts, 1);
       giveHandle(*mesh,
         [&](winding_mesh& made)
         {
-          std::vector<std::unique_ptr<LevelSurface>> surfaces;
-          std::vector<const winding::LevelEdges*> edges;
-          std::vector<winding::LevelOperand> operands;
-          const double parts = static_cast<double>(count) + 1;
-          for (std::size_t i = 0; i < count; ++i)
-          {
-            const auto done = static_cast<double>(i);
-            surfaces.push_back(std::make_unique<LevelSurface>(*first[i], samples, inside[i], wished,
-              call, Share{done / parts, (done + 1) / parts}));
-            LevelSurface& surface = *surfaces.back();
-            call.nameSource(wished.names ? &required(wished.names[i], "options.names[i]") : "");
-            evaluateInTime(*first[i]->field, first[i]->tolerance,
-              winding::sampleCount(samples.wholeExtent()), call,
-              [&]
-              {
-                surface.findEdges();
-                surface.warn(false, false);
-                surface.findRoots();
-              });
-            edges.push_back(&surface.edges());
-            operands.push_back({&surface.edges(), &surface.roots()});
-          }
-          call.nameSource("");
-          setShare(call, {1 - 1 / parts, 1}, 0, 1);
-          const winding::LevelEdges result(edges, kind, samples, call.executor);
-          const winding::CombinedRoots combined(result, operands, kind, call.executor);
-          writeSurface(
-            samples, result, [&]() -> const winding::EdgeRoots& { return combined.roots; },
-            &combined.operands, wished, call, made);
-          if (result.size() == 0)
-          {
-            const bool isAllInside = result.areAllInside();
-            if (!(isAllInside && wished.generate_image))
-            {
-              call.warn(isAllInside
-                          ? winding::allInsideAdvice()
-                          : winding::emptyResultAdvice(kind != winding::BooleanOperation::unite));
-            }
-          }
+          MeshSink sink(made);
+          task.run(sink, call.run);
+          made.numbers.assign(made.operands.begin(), made.operands.end());
         });
     });
 }
 
 winding_status winding_expect_surface(const winding_field* field, const winding_grid* grid,
-  const winding_rule* rule, const winding_run* run, double* bytes, winding_refusal* refusal)
+  const winding_rule* rule, const winding_surface_options* options, const winding_run* run,
+  double* bytes, winding_refusal* refusal)
 {
   return guarded(run, refusal,
     [&]
     {
       const Field& source = *required(field, "field").field;
       const Grid samples = gridOf(grid);
-      const winding_rule inside = known(rule, defaultRule());
+      const winding::SurfaceOptions wished =
+        optionsOf(known(options, defaultSurfaceOptions()), rule, samples);
       Call call(run);
-      double edges = winding::levelEdgesByArea(source, samples);
-      constexpr double many = 1e7; // a coarse grid takes no time then
-      if (edges > many)
-      {
-        edges = std::min(edges, winding::levelEdgesByCoarseGrid(source, samples, ruleOf(inside),
-                                  inside.winding_threshold, true, call.executor));
-      }
-      required(bytes, "bytes") = winding::LevelEdges::bytesOfRows(samples) +
-                                 winding::LevelEdges::bytesOfSlab(samples) +
-                                 static_cast<double>(winding::bytesOfLevelSurface(source, edges));
+      required(bytes, "bytes") = winding::claimSurface(source, samples, wished, call.run).bytes;
     });
 }
 

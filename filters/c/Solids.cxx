@@ -187,7 +187,7 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
       if (count > 0)
       {
         const winding_field& first = required(fields ? fields[0] : nullptr, "a field");
-        evaluateInTime(*first.field, first.tolerance, count * voxels, call,
+        evaluateInTime(*first.field, count * voxels, call,
           [&]
           {
             for (std::size_t i = 0; i < count; ++i)

@@ -18,13 +18,11 @@ template <class View>
 void buildField(const std::vector<View>& views, const winding_options* options,
   const winding_run* run, winding_field*& to)
 {
-  const FieldOptions wished = optionsOf(options);
   Call call(run);
   giveHandle(to,
     [&](winding_field& handle)
     {
-      handle.tolerance = wished.tolerance;
-      handle.field = Field::build(views, wished, call.executor);
+      handle.field = Field::build(views, optionsOf(options), call.executor);
       call.warn(handle.field->info().warnings);
       call.warn(handle.field->diagnosis().ofSource(call.executor));
       if (handle.field->info().primitives == 0)

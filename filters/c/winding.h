@@ -108,6 +108,11 @@ extern "C"
    * less for none. Default: 0
    */
     double longest_expected_time;
+    /**
+   * The memory that a call may take, in bytes. Surfaces that are expected to take more end with
+   * WINDING_NO_MEMORY before any is allocated; 0 for no limit. Default: 0
+   */
+    double free_memory;
   } winding_run;
 
   /**
@@ -603,20 +608,6 @@ extern "C"
     const winding_mesh* mesh, winding_mesh_arrays* arrays, winding_refusal* refusal);
 
   /**
-   * Estimates the memory of a surface that winding_level_surface() makes, and of the work on it.
-   *
-   * @param field the field
-   * @param grid the samples
-   * @param rule the rule for what is inside; null for the defaults
-   * @param run null for the defaults
-   * @param bytes receives the memory
-   * @param refusal receives why the call was refused, unless it is null
-   */
-  WINDING_API winding_status winding_expect_surface(const winding_field* field,
-    const winding_grid* grid, const winding_rule* rule, const winding_run* run, double* bytes,
-    winding_refusal* refusal);
-
-  /**
    * Gives a mesh back. Null is left alone.
    *
    * @param mesh the mesh
@@ -690,6 +681,21 @@ extern "C"
   WINDING_API winding_status winding_level_surface(const winding_field* field,
     const winding_grid* grid, const winding_rule* rule, const winding_surface_options* options,
     const winding_run* run, winding_mesh** mesh, winding_refusal* refusal);
+
+  /**
+   * Estimates the memory of a surface that winding_level_surface() makes, and of the work on it.
+   *
+   * @param field the field
+   * @param grid the samples
+   * @param rule the rule for what is inside; null for the defaults
+   * @param options null for the defaults
+   * @param run null for the defaults
+   * @param bytes receives the memory
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_expect_surface(const winding_field* field,
+    const winding_grid* grid, const winding_rule* rule, const winding_surface_options* options,
+    const winding_run* run, double* bytes, winding_refusal* refusal);
 
   /** The operations on several solids. */
   typedef enum winding_operation

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/FreeMemory.h"
 
-#include "base/Digits.h"
 #include "pipeline/HostShare.h"
 
 #include <vtksys/SystemInformation.hxx>
@@ -13,23 +12,6 @@
 namespace winding
 {
 
-namespace
-{
-
-double freeBytesOf(const HostMemory& memory)
-{
-  return std::max(0.0, memory.total - memory.used) / ranksOnHost();
-}
-
-} // namespace
-
-std::string memoryInWords(double bytes)
-{
-  constexpr double mebi = 1024.0 * 1024.0;
-  const bool isLarge = bytes >= 1000 * mebi;
-  return inDigits(bytes / (isLarge ? 1024 * mebi : mebi), 3) + (isLarge ? " GiB" : " MiB");
-}
-
 HostMemory hostMemory()
 {
   vtksys::SystemInformation system;
@@ -39,21 +21,17 @@ HostMemory hostMemory()
     unit * static_cast<double>(system.GetHostMemoryUsed())};
 }
 
-bool isMemoryFree(double bytes, HostMemory (*memory)())
+double freeBytes(HostMemory (*memory)())
 {
-  constexpr double smallest = 64.0 * 1024 * 1024; // not worth asking the system for
-  return bytes < smallest || bytes <= freeBytesOf(memory());
+  const HostMemory found = memory();
+  return std::max(0.0, found.total - found.used) / ranksOnHost();
 }
 
 void refuseBeyondFreeMemory(
   double bytes, const std::string& what, std::vector<Remedy> remedies, HostMemory (*memory)())
 {
-  if (!isMemoryFree(bytes, memory))
-  {
-    throw OutOfMemory(Message("not enough memory", std::move(remedies),
-      what + " needs " + memoryInWords(bytes) + ", and " + memoryInWords(freeBytesOf(memory())) +
-        " is free"));
-  }
+  refuseUnlessFree(
+    bytes, [memory] { return freeBytes(memory); }, what, std::move(remedies));
 }
 
 } // namespace winding

@@ -2,20 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "base/Refusal.h"
+#include "base/Memory.h"
 
 #include <string>
 #include <vector>
 
 namespace winding
 {
-
-/// A result that does not fit into memory.
-class OutOfMemory : public Refusal
-{
-public:
-  using Refusal::Refusal;
-};
 
 /// The memory of the machine, in bytes.
 struct HostMemory
@@ -27,16 +20,12 @@ struct HostMemory
 /// Asks the system.
 HostMemory hostMemory();
 
-/// Returns a number of bytes for people, as "317 GiB" or "12.5 MiB".
-std::string memoryInWords(double bytes);
+/// Returns the memory that is free for this process: the ranks of a program on the machine share
+/// what is free. `memory` says what there is.
+double freeBytes(HostMemory (*memory)() = hostMemory);
 
-/// Returns whether `bytes` bytes are free for this process: the ranks of a program on the machine
-/// share what is free. `memory` says what there is; less than 64 MiB is taken to be free without
-/// asking it.
-bool isMemoryFree(double bytes, HostMemory (*memory)() = hostMemory);
-
-/// Throws OutOfMemory, with the numbers, if `bytes` are not free by isMemoryFree(). `what` needs
-/// them, and `remedies` are what to do about it.
+/// Throws OutOfMemory, with the numbers, unless `bytes` are free. `what` needs them, and `remedies`
+/// are what to do about it.
 void refuseBeyondFreeMemory(double bytes, const std::string& what, std::vector<Remedy> remedies,
   HostMemory (*memory)() = hostMemory);
 

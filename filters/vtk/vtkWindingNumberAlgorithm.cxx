@@ -21,6 +21,7 @@
 #include "report/ExpectedTimeAdvice.h"
 #include "report/InputUnits.h"
 #include "source/Grid.h"
+#include "tasks/ResultNotes.h"
 
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -326,7 +327,6 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   vtkDataObject* source, const Samples& samples, std::size_t ownSamples)
 {
   this->SourceIsInsideOut = false;
-  this->SourceLooksInward = false;
   this->PrepareSeconds = 0;
   this->LookAtSource(source);
   this->SetProgressText("Preparing");
@@ -386,24 +386,38 @@ std::string vtkWindingNumberAlgorithm::GetSourcePrefix() const
   return this->SourceName.empty() ? "" : "'" + this->SourceName + "': ";
 }
 
+winding::Run vtkWindingNumberAlgorithm::MakeRun(winding::Executor& executor)
+{
+  return {executor,
+    [this](const winding::Message& message)
+    { vtkWarningMacro(<< this->GetSourcePrefix() << winding::lineOf(message)); },
+    []
+    {
+      return winding::freeBytes();
+    }};
+}
+
+winding::InsideTest vtkWindingNumberAlgorithm::GetInsideTest() const
+{
+  return {winding::coreInsideRule(this->InsideRule), this->WindingThreshold};
+}
+
 void vtkWindingNumberAlgorithm::TellFaults(const winding::Field& field)
 {
   const winding::FieldInfo& info = this->Source->info();
-  std::vector<winding::Message> warnings = info.warnings;
-  const auto openSide = field.diagnosis().ofOpenSide(
-    {this->WindingThreshold, this->TakesTouchedVoxels(), this->MayCloseBorder()});
-  if (openSide && this->InsideMatters(info))
+  if (!info.warnings.empty())
   {
-    warnings.push_back(*openSide);
+    vtkWarningMacro(<< this->GetSourcePrefix() << winding::lineOf(info.warnings));
   }
-  if (!warnings.empty())
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  winding::Run run = this->MakeRun(executor);
+  if (this->WarnsOfOpenSide())
   {
-    vtkWarningMacro(<< this->GetSourcePrefix() << winding::lineOf(warnings));
+    winding::warnOfOpenSide(field, {this->WindingThreshold, this->TakesTouchedVoxels()}, run);
   }
   if (info.primitives == 0)
   {
-    vtkWarningMacro(<< this->GetSourcePrefix()
-                    << winding::lineOf(winding::emptySourceAdvice(this->WeldTolerance > 0)));
+    run.warn(winding::emptySourceAdvice(this->WeldTolerance > 0));
   }
 }
 
@@ -492,8 +506,8 @@ double vtkWindingNumberAlgorithm::LongestOfRanks(double seconds)
 /// minute.
 void vtkWindingNumberAlgorithm::CheckExpectedTime(const winding::Field& field)
 {
-  const auto advice = winding::expectedTimeAdvice(field.info(),
-    {this->ExpectedSeconds, this->LongestExpectedTime, this->SamplesOfResult, this->Tolerance});
+  const auto advice = winding::expectedTimeAdvice(
+    field.info(), {this->ExpectedSeconds, this->LongestExpectedTime, this->SamplesOfResult});
   if (advice && !this->LongTimeIsAnnounced)
   {
     this->LongTimeIsAnnounced = true;
@@ -546,19 +560,6 @@ void vtkWindingNumberAlgorithm::DescribeMethod(vtkDataObject* output) const
     share->SetName("WindingNumberClearShare");
     share->InsertNextValue(this->GetClearShare());
     output->GetFieldData()->AddArray(share);
-  }
-}
-
-void vtkWindingNumberAlgorithm::TellSides(
-  const winding::Field& field, const winding::SideCounts& sides, winding::Executor& executor)
-{
-  const winding::Facing facing = field.diagnosis().facing(
-    sides, winding::coreInsideRule(this->InsideRule), this->WindingThreshold, executor);
-  this->SourceLooksInward = facing.looksInward;
-  this->SourceIsInsideOut = facing.looksInward ? facing.isInsideOut : this->SourceIsInsideOut;
-  if (facing.warning && this->InsideMatters(field.info()))
-  {
-    vtkWarningMacro(<< this->GetSourcePrefix() << winding::lineOf(*facing.warning));
   }
 }
 

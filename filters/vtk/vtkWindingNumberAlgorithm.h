@@ -77,8 +77,9 @@ class Ranks;
 class SmpExecutor;
 class SourceField;
 struct FieldInfo;
-struct SideCounts;
 struct ImageFrame;
+struct InsideTest;
+struct Run;
 struct SourceOptions;
 } // namespace winding
 VTK_ABI_NAMESPACE_BEGIN
@@ -553,12 +554,13 @@ protected:
   /// Whether voxels that the source touches are inside, as is then all of a sheet.
   virtual bool TakesTouchedVoxels() const { return false; }
 
-  /// Whether the result ends at the border of the grid, and could be closed there.
-  virtual bool MayCloseBorder() const { return false; }
+  /// Returns whether TellFaults() warns of sources that are open on a side: yes, unless tasks do.
+  virtual bool WarnsOfOpenSide() const { return true; }
 
-  /// Returns whether the result of a source with this field depends on what is inside. Otherwise
-  /// nothing is said about that.
-  virtual bool InsideMatters(const winding::FieldInfo&) const { return true; }
+  /// Returns what the tasks of this filter run with.
+  winding::Run MakeRun(winding::Executor& executor);
+
+  winding::InsideTest GetInsideTest() const;
 
   /// Whether a sample that is half inside does not count, so that a lower threshold may help.
   bool HasHighThreshold() const { return this->InsideRule != ODD && this->WindingThreshold > 0.5; }
@@ -616,11 +618,6 @@ protected:
   void Evaluate(const winding::Field& field, vtkIdType samples, winding::SmpExecutor& executor,
     const std::function<void()>& work);
 
-  /// Warns where sides say that the source is inside out, as a whole or in part, and sets
-  /// SourceIsInsideOut. Nothing happens with rules other than SIGNED.
-  void TellSides(
-    const winding::Field& field, const winding::SideCounts& sides, winding::Executor& executor);
-
   int Method = AUTOMATIC;
   double Tolerance = 1e-3;
   vtkTypeBool SourceAsPoints = 0;
@@ -648,7 +645,6 @@ protected:
   int SourceKind = NO_SOURCE;
   int Status = NOT_RUN;
   bool SourceIsInsideOut = false;
-  bool SourceLooksInward = false; ///< as a whole or in part, as TellSides() finds
   double PrepareSeconds = 0;
   double EvaluateSeconds = 0;
   double ExpectedSeconds = 0;

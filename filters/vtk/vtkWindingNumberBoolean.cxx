@@ -7,14 +7,11 @@
 #include "base/Refusal.h"
 #include "diagnosis/GridAdvice.h"
 #include "field/Field.h"
-#include "level/CombinedRoots.h"
-#include "level/LevelMemory.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
-#include "pipeline/FreeMemory.h"
 #include "pipeline/Ranks.h"
 #include "pipeline/SmpExecutor.h"
-#include "pipeline/Temporarily.h"
+#include "private/output/ArraySink.h"
 #include "private/output/NearestAttributes.h"
 #include "private/source/ContentHash.h"
 #include "private/source/NamedBlocks.h"
@@ -23,6 +20,7 @@
 #include "report/LabelFacts.h"
 #include "report/Verify.h"
 #include "source/Grid.h"
+#include "tasks/SurfaceTask.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCompositeDataSet.h"
@@ -55,18 +53,11 @@ static_assert(isNumber(winding::BooleanOperation::exclude, Filter::SYMMETRIC_DIF
 
 } // namespace
 
-/// The part of the surface that an operand could give.
-class vtkWindingNumberBoolean::Operand
-{
-public:
-  std::unique_ptr<winding::LevelEdges> edges; ///< null on ranks that only take part
-  winding::EdgeRoots roots = winding::EdgeRoots(0);
-};
-
 vtkStandardNewMacro(vtkWindingNumberBoolean);
 
 vtkWindingNumberBoolean::vtkWindingNumberBoolean()
   : Facts(std::make_unique<winding::LabelFacts>())
+  , OperandTest(std::make_unique<winding::InsideTest>())
 {
   this->SetNumberOfInputPorts(2);
 }
@@ -314,11 +305,9 @@ bool vtkWindingNumberBoolean::GetSourceBounds(vtkDataObject* source, double boun
 
 std::size_t vtkWindingNumberBoolean::GetAdditionalBytes(const winding::Field& field, vtkIdType)
 {
-  double edges = 0;
-  const double ofOperand = this->GetBytesOfSurface(field, edges);
-  const std::size_t ofResult =
-    winding::bytesOfCombinedSurface(this->GetSampling(), this->KeptEdges + edges);
-  return static_cast<std::size_t>(ofOperand + this->KeptBytes) + ofResult +
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  winding::Run run = this->MakeRun(executor);
+  return static_cast<std::size_t>(this->Task->claim(field, *this->OperandTest, run)) +
          this->GetBytesOfNearest(field);
 }
 
@@ -351,10 +340,10 @@ int vtkWindingNumberBoolean::RequestData(
   this->SetVerification(winding::Verification());
   *this->Facts = winding::LabelFacts();
   this->Facts->expected = count;
-  this->KeptBytes = this->KeptEdges = 0;
+  this->Task = std::make_unique<winding::BooleanTask>(this->GetSampling(),
+    static_cast<winding::BooleanOperation>(this->Operation), this->GetSurfaceOptions());
   this->EarlierSeconds = 0;
   double prepareSeconds = 0, evaluateSeconds = 0;
-  std::vector<Operand> operands;
   vtkNew<vtkStringArray> names;
   names->SetName("OperandNames");
   // The loop is collective: each operand is built of the parts of all ranks, in the same order.
@@ -362,12 +351,11 @@ int vtkWindingNumberBoolean::RequestData(
   {
     const std::string name = blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME());
     const int number = static_cast<int>(i);
-    const winding::Temporarily<double> threshold(
-      this->WindingThreshold, this->GetOperandThreshold(number));
-    const winding::Temporarily<int> rule(this->InsideRule, this->GetOperandInsideRule(number));
+    this->OperandTest->rule = winding::coreInsideRule(this->GetOperandInsideRule(number));
+    this->OperandTest->threshold = this->GetOperandThreshold(number);
     this->ChooseSource(i, name);
     this->SetProgressShiftScale(static_cast<double>(i) / (count + 1), 1.0 / (count + 1));
-    operands.push_back(this->MakeOperand(blocks->GetBlock(i), name));
+    this->AddOperand(blocks->GetBlock(i), name);
     this->Facts->add(this->Superclass::GetSourceInfo(), name, false);
     prepareSeconds += this->PrepareSeconds;
     evaluateSeconds += this->EvaluateSeconds;
@@ -383,81 +371,43 @@ int vtkWindingNumberBoolean::RequestData(
     return 1;
   }
   this->SetProgressShiftScale(static_cast<double>(count) / (count + 1), 1.0 / (count + 1));
-  this->MakeResult(operands, output);
+  this->MakeResult(output);
   this->AddNearest(blocks, output);
   output->GetFieldData()->AddArray(names);
   this->DescribeMethod(output);
   return 1;
 }
 
-/// Finds the edges of the grid that the surface of an operand crosses, and where.
-vtkWindingNumberBoolean::Operand vtkWindingNumberBoolean::MakeOperand(
-  vtkDataObject* source, const std::string& name)
+void vtkWindingNumberBoolean::AddOperand(vtkDataObject* source, const std::string& name)
 {
-  Operand operand;
   const winding::Field& field = this->PrepareGridFieldOf(source, name);
   if (this->IsHelper())
   {
-    return operand;
+    return;
   }
-  const winding::Grid& grid = this->GetSampling();
-  const auto samples = static_cast<vtkIdType>(winding::sampleCount(grid.wholeExtent()));
+  const winding::Extent extent = this->GetSampling().wholeExtent();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
-  this->Evaluate(field, samples, executor,
-    [&]
-    {
-      operand.edges = std::make_unique<winding::LevelEdges>(field, grid,
-        winding::coreInsideRule(this->InsideRule), this->WindingThreshold, this->CloseBorder != 0);
-      this->FindEdges(*operand.edges, field, executor);
-      if (operand.edges->areAllOutside() && !winding::missesSource(grid, field.info().bounds))
-      {
-        this->WarnOfGrid(field, true, [](int, int, int) { return false; });
-      }
-      operand.roots = this->FindRoots(field, *operand.edges, executor);
-    });
+  winding::Run run = this->MakeRun(executor);
+  this->Evaluate(field, static_cast<vtkIdType>(winding::sampleCount(extent)), executor,
+    [&] { this->SourceIsInsideOut = this->Task->add(field, *this->OperandTest, run).isInsideOut; });
   this->EarlierSeconds = this->TakenSeconds;
-  this->VerifyAnother(field, grid.wholeExtent());
-  constexpr double bytesPerEdge =
-    sizeof(winding::GridEdge) + 2 * sizeof(float) + sizeof(double) + sizeof(Eigen::Vector3f);
-  this->KeptBytes += winding::LevelEdges::bytesOfRows(grid) +
-                     bytesPerEdge * static_cast<double>(operand.edges->size());
-  this->KeptEdges += static_cast<double>(operand.edges->size());
-  return operand;
+  this->VerifyAnother(field, extent);
 }
 
-void vtkWindingNumberBoolean::MakeResult(const std::vector<Operand>& operands, vtkPolyData* output)
+void vtkWindingNumberBoolean::MakeResult(vtkPolyData* output)
 {
   winding::SmpExecutor executor(this, this->NumberOfThreads);
-  executor.setShare(0, 1);
-  const auto operation = static_cast<winding::BooleanOperation>(this->Operation);
-  winding::refuseBeyondFreeMemory(
-    static_cast<double>(winding::bytesOfCombinedSurface(this->GetSampling(), this->KeptEdges)),
-    "the surface of the result", {winding::largerVoxels()});
-  std::vector<const winding::LevelEdges*> edges;
-  std::vector<winding::LevelOperand> parts;
-  for (const Operand& operand : operands)
-  {
-    edges.push_back(operand.edges.get());
-    parts.push_back({operand.edges.get(), &operand.roots});
-  }
-  const winding::LevelEdges result(edges, operation, this->GetSampling(), executor);
-  const winding::CombinedRoots combined(result, parts, operation, executor);
-  this->MakePolyData(
-    result, [&]() -> const winding::EdgeRoots& { return combined.roots; }, &combined.operands,
-    executor, output);
-  this->MakeImage(result, executor);
+  winding::Run run = this->MakeRun(executor);
+  winding::ArraySink result;
+  this->Task->run(result, run);
+  this->Task.reset();
+  this->AddResult(result, output);
   const auto units = winding::unitAdvice(this->Facts->bounds);
   // Blocks of one data set have one unit.
   if (units && this->GetSourceConnections().size() > 1)
   {
     vtkWarningMacro(<< winding::lineOf(*units));
   }
-  if (!this->TellAllInside(result) && result.size() == 0)
-  {
-    vtkWarningMacro(<< winding::lineOf(winding::emptyResultAdvice(this->Operation != UNION)));
-  }
-  this->TellOpen(result);
-  this->UpdateProgress(1);
 }
 
 const char* vtkWindingNumberBoolean::GetOperationAsString() const

@@ -57,6 +57,7 @@
 
 namespace winding
 {
+class BooleanTask;
 struct LabelFacts;
 } // namespace winding
 
@@ -144,21 +145,19 @@ protected:
   int Operation = UNION;
 
 private:
-  class Operand;
-
   void SetName(int port, int connection, const char* name);
   const char* GetName(int port, int connection) const;
   bool ReachesBeyondSource(int operand) const;
-  Operand MakeOperand(vtkDataObject* source, const std::string& name);
-  void MakeResult(const std::vector<Operand>& operands, vtkPolyData* output);
+  void AddOperand(vtkDataObject* source, const std::string& name);
+  void MakeResult(vtkPolyData* output);
 
   std::map<int, double> OperandThresholds;
   std::map<int, int> OperandInsideRules;
   std::map<int, std::string> Names[2]; ///< of connections, by port
   vtkSmartPointer<vtkMultiBlockDataSet> Blocks;
   std::unique_ptr<winding::LabelFacts> Facts;
-  double KeptBytes = 0; ///< of the operands that are done
-  double KeptEdges = 0; ///< of the same
+  std::unique_ptr<winding::BooleanTask> Task;       ///< null unless data are requested
+  std::unique_ptr<winding::InsideTest> OperandTest; ///< of the operand that is added
 };
 VTK_ABI_NAMESPACE_END
 

@@ -15,6 +15,7 @@
 #include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
 #include "source/Grid.h"
+#include "tasks/ResultNotes.h"
 #include "voxels/SampleBits.h"
 #include "voxels/VoxelEvaluation.h"
 
@@ -206,26 +207,27 @@ void vtkWindingNumberField::EvaluateVoxels(
       std::copy_n(all, 4, this->SampleCounts);
       if (isWhole)
       {
-        executor.setShare(1, 1);
-        this->TellSides(field, counts, executor);
-        const auto isInside = [&](int i, int j, int k)
+        winding::ResultOnGrid result;
+        result.sides = counts;
+        result.isInside = [&](int i, int j, int k)
         {
           return results.isInside(
             winding::sampleNumber(samples, i, j, k), voxels.output.rule, voxels.output.threshold);
         };
         // Warnings are about this time, whatever earlier ones have inside.
-        const bool isEmpty = sweptWords > 0 ? counts.inside == 0 : this->NumberOfInsideSamples == 0;
-        this->WarnOfGrid(field, isEmpty, isInside);
+        result.isEmpty = sweptWords > 0 ? counts.inside == 0 : this->NumberOfInsideSamples == 0;
+        this->WarnOfResult(field, result);
       }
     });
 }
 
 void vtkWindingNumberField::WarnOfPieces(const vtkIdType counts[4])
 {
-  winding::SideCounts sides;
-  sides.samples = static_cast<std::size_t>(counts[0]);
-  sides.inside = static_cast<std::size_t>(counts[2]);
-  sides.negative = static_cast<std::size_t>(counts[3]);
+  winding::ResultOnGrid result;
+  result.sides.samples = static_cast<std::size_t>(counts[0]);
+  result.sides.inside = static_cast<std::size_t>(counts[2]);
+  result.sides.negative = static_cast<std::size_t>(counts[3]);
+  result.isEmpty = counts[1] == 0;
   const winding::Outcome outcome =
     winding::reportErrors(this, {"not enough memory for this source", {winding::largerVoxels()}},
       [&]
@@ -235,9 +237,7 @@ void vtkWindingNumberField::WarnOfPieces(const vtkIdType counts[4])
         const winding::Field& field = this->FieldOf(this->GetSource(), executor);
         if (this->GetRanks().rank() == 0)
         {
-          this->SourceIsInsideOut = false;
-          this->TellSides(field, sides, executor);
-          this->WarnOfGrid(field, counts[1] == 0);
+          this->WarnOfResult(field, result);
         }
       });
   this->Status = static_cast<int>(outcome);

@@ -4,8 +4,6 @@
 
 #include "base/Bounds.h"
 #include "base/Refusal.h"
-#include "diagnosis/Diagnosis.h"
-#include "diagnosis/GridAdvice.h"
 #include "field/Field.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
@@ -16,6 +14,7 @@
 #include "private/source/SourceProperties.h"
 #include "report/Verify.h"
 #include "source/Grid.h"
+#include "tasks/ResultNotes.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
@@ -446,31 +445,17 @@ const winding::Field& vtkWindingNumberGridAlgorithm::PrepareGridFieldOf(
   }
 }
 
-void vtkWindingNumberGridAlgorithm::WarnOfGrid(const winding::Field& field, bool isEmpty,
-  const std::function<bool(int i, int j, int k)>& isInside)
+void vtkWindingNumberGridAlgorithm::WarnOfResult(
+  const winding::Field& field, winding::ResultOnGrid result)
 {
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   executor.setShare(1, 1);
-  if (field.info().primitives > 0 && !field.diagnosis().hasNoSides(executor))
-  {
-    const winding::Grid& grid = this->GetSampling();
-    winding::GridResult result;
-    result.isEmpty = isEmpty && !this->SourceIsInsideOut;
-    result.mayTouch = this->MayTouchVoxels();
-    result.isSheet = field.info().openings.areOfSheet();
-    result.hasHighThreshold = this->HasHighThreshold();
-    if (!this->SourceLooksInward && !this->TakesTouchedVoxels())
-    {
-      const winding::InsideRule rule = winding::coreInsideRule(this->InsideRule);
-      const double threshold = this->WindingThreshold;
-      result.parts = field.diagnosis().thinParts(grid, isInside, rule, threshold, executor);
-    }
-    const auto advice = winding::gridAdvice(grid, field.info().bounds, result);
-    if (advice)
-    {
-      vtkWarningMacro(<< this->GetSourcePrefix() << winding::lineOf(*advice));
-    }
-  }
+  winding::Run run = this->MakeRun(executor);
+  result.mayTouchVoxels = this->MayTouchVoxels();
+  result.takesTouchedVoxels = this->TakesTouchedVoxels();
+  this->SourceIsInsideOut =
+    winding::warnOfResult(field, this->GetSampling(), result, this->GetInsideTest(), run)
+      .isInsideOut;
 }
 
 void vtkWindingNumberGridAlgorithm::CheckVerification(bool hasValues) const

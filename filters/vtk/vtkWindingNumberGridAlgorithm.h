@@ -33,6 +33,7 @@ namespace winding
 {
 struct Grid;
 struct GridRequest;
+struct ResultOnGrid;
 struct Verification;
 } // namespace winding
 VTK_ABI_NAMESPACE_BEGIN
@@ -204,12 +205,9 @@ protected:
   /// PrepareGridField() for one of several solids; what is refused has its name.
   const winding::Field& PrepareGridFieldOf(vtkDataObject* source, const std::string& name);
 
-  /// Warns of a grid that misses the source or is too coarse for it, or has no sample inside, which
-  /// `isEmpty` says. `isInside` says for the parts that are lost which samples are inside. Where it
-  /// is null, some samples are evaluated, unless voxels that the source touches count as inside. A
-  /// source without primitives, inside out or drawn from both sides has been warned of.
-  void WarnOfGrid(const winding::Field& field, bool isEmpty,
-    const std::function<bool(int i, int j, int k)>& isInside = nullptr);
+  /// Warns of what a result on the whole grid shows of a field, and sets SourceIsInsideOut. Sets
+  /// what `result` says of voxels that the source touches.
+  void WarnOfResult(const winding::Field& field, winding::ResultOnGrid result);
 
   /// Whether voxels that the source touches could count as inside, but do not.
   virtual bool MayTouchVoxels() const { return false; }

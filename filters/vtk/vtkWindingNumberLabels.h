@@ -78,6 +78,7 @@ namespace winding
 class LabelImage;
 class Solids;
 struct LabelFacts;
+struct SideCounts;
 struct LabelSampling;
 struct LabelImageOptions;
 struct SolidEvaluationOptions;

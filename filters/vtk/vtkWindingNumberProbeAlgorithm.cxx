@@ -16,6 +16,7 @@
 #include "private/probe/ProbeWords.h"
 #include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
+#include "tasks/ResultNotes.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -237,7 +238,10 @@ void vtkWindingNumberProbeAlgorithm::EvaluateSamples(const winding::Field& field
       }
       this->EvaluateMore(field, queries, executor);
       executor.setShare(progress, progress);
-      this->TellSides(field, sides.counts(static_cast<std::size_t>(queries.size())), executor);
+      winding::Run run = this->MakeRun(executor);
+      const winding::SideCounts counts = sides.counts(static_cast<std::size_t>(queries.size()));
+      this->SourceIsInsideOut =
+        winding::warnOfSides(field, counts, this->GetInsideTest(), run).isInsideOut;
     });
 }
 

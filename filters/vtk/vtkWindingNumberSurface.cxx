@@ -5,17 +5,16 @@
 #include "base/Executor.h"
 #include "diagnosis/GridAdvice.h"
 #include "field/Field.h"
-#include "level/EdgeRoots.h"
-#include "level/ShapedSolid.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
-#include "pipeline/FreeMemory.h"
 #include "pipeline/Ranks.h"
 #include "pipeline/SmpExecutor.h"
+#include "private/output/ArraySink.h"
 #include "private/output/ResultArrays.h"
 #include "private/output/SurfaceFidelity.h"
 #include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
+#include "tasks/SurfaceTask.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -55,24 +54,19 @@ void vtkWindingNumberSurface::HashProperties(winding::ContentHash& hash)
   hash.addValue(this->ShellSide);
 }
 
-winding::SolidShape vtkWindingNumberSurface::GetShape() const
+winding::SurfaceOptions vtkWindingNumberSurface::GetSurfaceOptions() const
 {
-  winding::SolidShape shape;
-  shape.fillsCavities = this->FillCavities != 0;
-  shape.offset = this->Offset;
-  shape.shell = this->Shell;
-  shape.shellSide = static_cast<winding::ShellSide>(this->ShellSide);
-  return shape;
-}
-
-bool vtkWindingNumberSurface::InsideMatters(const winding::FieldInfo& info) const
-{
-  return !winding::isSheet(info, this->GetShape());
+  winding::SurfaceOptions options = this->Superclass::GetSurfaceOptions();
+  options.shape.fillsCavities = this->FillCavities != 0;
+  options.shape.offset = this->Offset;
+  options.shape.shell = this->Shell;
+  options.shape.shellSide = static_cast<winding::ShellSide>(this->ShellSide);
+  return options;
 }
 
 double vtkWindingNumberSurface::GetReachBeyondSource() const
 {
-  return this->GetShape().reach();
+  return this->GetSurfaceOptions().shape.reach();
 }
 
 int vtkWindingNumberSurface::RequestData(
@@ -107,27 +101,22 @@ int vtkWindingNumberSurface::RequestData(
 
 std::size_t vtkWindingNumberSurface::GetAdditionalBytes(const winding::Field& field, vtkIdType)
 {
-  double edges = 0;
-  double ofSurface = this->GetBytesOfSurface(field, edges);
-  const double ofShape =
-    winding::ShapedSolid::bytesFor(field, this->GetSampling(), this->GetShape(), edges);
-  if (ofShape > 0)
-  {
-    ofSurface += ofShape;
-    winding::refuseBeyondFreeMemory(ofSurface, "the surface", {winding::largerVoxels()});
-  }
-  auto bytes = static_cast<std::size_t>(ofSurface) + this->GetBytesOfNearest(field);
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  winding::Run run = this->MakeRun(executor);
+  const winding::SurfaceNeeds needs =
+    winding::claimSurface(field, this->GetSampling(), this->GetSurfaceOptions(), run);
+  auto bytes = static_cast<std::size_t>(needs.bytes) + this->GetBytesOfNearest(field);
   if (this->FidelitySamples > 0)
   {
     // The surface has about two triangles for each edge of the grid that it crosses.
     winding::refuseFidelityBeyondFreeMemory(
-      field, 2 * edges, static_cast<std::size_t>(this->FidelitySamples));
+      field, 2 * needs.edges, static_cast<std::size_t>(this->FidelitySamples));
   }
   if (this->GenerateDistanceToInput)
   {
     // A vertex has its place and its distance, in double.
     constexpr std::size_t perVertex = 4 * sizeof(double);
-    const auto vertices = static_cast<std::size_t>(edges);
+    const auto vertices = static_cast<std::size_t>(needs.edges);
     bytes += field.expectedBytesOfDistances(vertices) + perVertex * vertices;
   }
   return bytes;
@@ -137,80 +126,32 @@ std::size_t vtkWindingNumberSurface::GetAdditionalBytes(const winding::Field& fi
 std::shared_ptr<const winding::DistanceTree> vtkWindingNumberSurface::MakeSurface(
   const winding::Field& field, vtkPolyData* output)
 {
-  std::shared_ptr<const winding::DistanceTree> surfaceTree;
   const winding::Grid& grid = this->GetSampling();
+  const winding::SurfaceOptions options = this->GetSurfaceOptions();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
+  winding::Run run = this->MakeRun(executor);
+  winding::ArraySink sink;
+  winding::SurfaceResult result;
   this->Evaluate(field, static_cast<vtkIdType>(winding::sampleCount(grid.wholeExtent())), executor,
-    [&]
-    {
-      winding::LevelEdges edges(field, grid, winding::coreInsideRule(this->InsideRule),
-        this->WindingThreshold, this->CloseBorder != 0);
-      this->FindEdges(edges, field, executor);
-      const winding::SolidShape shape = this->GetShape();
-      const bool isAllInside = shape.isPlain() ? this->TellAllInside(edges) : edges.areAllInside();
-      if (this->InsideMatters(field.info()))
-      {
-        this->WarnOfGrid(field, edges.size() == 0 && !isAllInside,
-          [&edges](int i, int j, int k) {
-            return edges.isSampleInside({i, j, k});
-          });
-      }
-      winding::EdgeRoots roots(0);
-      const auto findRoots = [&]() -> const winding::EdgeRoots&
-      {
-        roots = this->FindRoots(field, edges, executor);
-        return roots;
-      };
-      if (shape.isPlain())
-      {
-        this->MakePolyData(edges, findRoots, nullptr, executor, output);
-        this->TellOpen(edges);
-        this->MakeImage(edges, executor);
-      }
-      else
-      {
-        findRoots();
-        const winding::ShapedSolid shaped(field, grid, winding::coreInsideRule(this->InsideRule),
-          this->WindingThreshold, this->Tolerance, edges, roots, shape, this->Features == SHARP,
-          executor);
-        this->MakePolyData(
-          shaped.edges(), [&]() -> const winding::EdgeRoots& { return shaped.roots(); }, nullptr,
-          executor, output);
-        this->TellOpen(shaped.edges());
-        this->MakeImage(shaped.edges(), executor);
-        this->TellShape(shaped, output);
-        surfaceTree = shaped.surfaceTree();
-      }
-      this->UpdateProgress(1);
-    });
-  return surfaceTree;
-}
-
-/// Adds to the field data of the output how its shape came about, and warns of what it lost.
-void vtkWindingNumberSurface::TellShape(const winding::ShapedSolid& shaped, vtkPolyData* output)
-{
-  const winding::SolidShape shape = this->GetShape();
-  if (shape.fillsCavities)
+    [&] { result = winding::makeSurface(field, grid, options, sink, run); });
+  this->SourceIsInsideOut = result.facing.isInsideOut;
+  this->AddResult(sink, output);
+  if (this->FillCavities)
   {
     vtkNew<vtkIntArray> cavities;
     cavities->SetName("FilledCavities");
-    cavities->InsertNextValue(static_cast<int>(shaped.cavities()));
+    cavities->InsertNextValue(static_cast<int>(result.cavities));
     output->GetFieldData()->AddArray(cavities);
   }
-  if (shape.hasDistances())
+  if (options.shape.hasDistances())
   {
     vtkNew<vtkStringArray> base;
     base->SetName("DistancesFrom");
-    base->InsertNextValue(shaped.base() == winding::DistanceBase::source ? "source" : "surface");
+    base->InsertNextValue(
+      result.distancesFrom == winding::DistanceBase::source ? "source" : "surface");
     output->GetFieldData()->AddArray(base);
   }
-  const bool isEmpty = shaped.edges().size() == 0;
-  const bool isAllInside = shaped.edges().areAllInside();
-  const auto advice = winding::shapeAdvice(this->GetSampling(), shape, isEmpty, isAllInside);
-  if (advice && !(isAllInside && this->GenerateImage))
-  {
-    vtkWarningMacro(<< winding::lineOf(*advice));
-  }
+  return result.surfaceTree;
 }
 
 void vtkWindingNumberSurface::CompareWithSource(
@@ -224,7 +165,7 @@ void vtkWindingNumberSurface::CompareWithSource(
   }
   if (this->FidelitySamples > 0)
   {
-    const winding::SolidShape shape = this->GetShape();
+    const winding::SolidShape shape = this->GetSurfaceOptions().shape;
     winding::WantedDistances wanted = {surfaceTree, shape.band()};
     if (shape.hasDistances() && !wanted.from)
     {

@@ -41,8 +41,6 @@
 namespace winding
 {
 class DistanceTree;
-class ShapedSolid;
-struct SolidShape;
 } // namespace winding
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -145,7 +143,7 @@ protected:
   void HashProperties(winding::ContentHash& hash) override;
   std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
   double GetReachBeyondSource() const override;
-  bool InsideMatters(const winding::FieldInfo& info) const override;
+  winding::SurfaceOptions GetSurfaceOptions() const override;
 
   vtkTypeBool FillCavities = 0;
   double Offset = 0;
@@ -155,8 +153,6 @@ protected:
   int FidelitySamples = 0;
 
 private:
-  winding::SolidShape GetShape() const;
-  void TellShape(const winding::ShapedSolid& shaped, vtkPolyData* output);
   std::shared_ptr<const winding::DistanceTree> MakeSurface(
     const winding::Field& field, vtkPolyData* output);
   void CompareWithSource(

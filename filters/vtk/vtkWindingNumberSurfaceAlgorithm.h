@@ -42,15 +42,10 @@
 #include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberGridAlgorithm.h"
 
-#include <cstdint>
-#include <functional>
-#include <vector>
-
 namespace winding
 {
-class LevelEdges;
-class SmpExecutor;
-struct EdgeRoots;
+class ArraySink;
+struct SurfaceOptions;
 } // namespace winding
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -179,8 +174,8 @@ protected:
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
   bool WorksOnFirstRank() const override { return true; }
-  bool MayCloseBorder() const override { return !this->CloseBorder; }
-  double GetResultBytes(vtkIdType samples) const override;
+  bool WarnsOfOpenSide() const override { return false; }
+  double GetResultBytes(vtkIdType) const override { return 0; } // tasks say what they need
 
   /// Returns the information of the output that a request is about.
   static vtkInformation* GetRequestedOutput(vtkInformation* request, vtkInformationVector* outputs);
@@ -191,38 +186,10 @@ protected:
   /// Lays the grid over a source: anew, or where the grid of the image has been announced.
   void LayGridOver(vtkDataObject* source);
 
-  /// Returns the memory of the level surface of a field, and refuses one that does not fit into
-  /// memory together with the grid. Sets `edges` to their number as it is expected.
-  double GetBytesOfSurface(const winding::Field& field, double& edges);
+  virtual winding::SurfaceOptions GetSurfaceOptions() const;
 
-  /// Finds the edges of the grid that the surface of what is inside crosses, as a share of the
-  /// progress. Refuses a surface that does not fit into memory, and warns of sources that look
-  /// inward.
-  void FindEdges(
-    winding::LevelEdges& edges, const winding::Field& field, winding::SmpExecutor& executor);
-
-  /// Warns of a grid all of whose samples are inside, unless there is an image of them. Returns
-  /// whether it is one.
-  bool TellAllInside(const winding::LevelEdges& edges);
-
-  /// Warns of a result that is open at the border of the grid, unless there is an image of it.
-  void TellOpen(const winding::LevelEdges& edges);
-
-  /// Finds where the surface of what is inside crosses these edges, with all the normals that the
-  /// surface needs, as the rest of the progress.
-  winding::EdgeRoots FindRoots(const winding::Field& field, const winding::LevelEdges& edges,
-    winding::SmpExecutor& executor) const;
-
-  /// Makes the surface that crosses these edges, smooth or sharp. `findRoots` finds where it does.
-  /// `operands` are numbers of the edges, which polygons take over as cell array "Operand"; null
-  /// for none.
-  void MakePolyData(const winding::LevelEdges& edges,
-    const std::function<const winding::EdgeRoots&()>& findRoots,
-    const std::vector<std::uint32_t>* operands, winding::SmpExecutor& executor,
-    vtkPolyData* output) const;
-
-  /// Makes the image of the samples that GenerateImage asks for, from the edges of the result.
-  void MakeImage(const winding::LevelEdges& edges, winding::SmpExecutor& executor);
+  /// Adds the arrays of a task to the output, and to the image if there is one.
+  void AddResult(const winding::ArraySink& result, vtkPolyData* output);
 
   /// Adds what TransferAttributes and GenerateNearestCells ask for.
   void AddNearest(vtkDataObject* source, vtkPolyData* output);
@@ -238,9 +205,6 @@ protected:
   vtkTypeBool GenerateNearestCells = 0;
   vtkTypeBool GenerateImage = 0;
   int OutputPointsPrecision = DEFAULT_PRECISION;
-
-private:
-  bool NeedsDoublePoints() const;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -11,7 +11,6 @@
 #include "pipeline/FreeMemory.h"
 #include "pipeline/SmpExecutor.h"
 #include "pipeline/VtkVersions.h"
-#include "private/output/EqualCells.h"
 #include "private/output/NearestAttributes.h"
 #include "private/source/CellChecks.h"
 #include "private/source/SourceParts.h"
@@ -197,7 +196,9 @@ void addQuads(const winding::VoxelSides<Label>& sides, vtkImageData* image,
   surface.build(static_cast<std::int64_t*>(ids->GetVoidPointer(0)), addCorner, executor);
   points->Squeeze();
   output->SetPoints(points);
-  output->SetPolys(winding::cellsOf(ids, 4));
+  vtkNew<vtkCellArray> quads;
+  quads->SetData(4, ids);
+  output->SetPolys(quads);
   addData(surface);
 }
 

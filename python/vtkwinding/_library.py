@@ -73,7 +73,8 @@ class Run(Sized):
     _init_ = "winding_run_init"
     _fields_ = [("size", ctypes.c_uint32), ("number_of_threads", _int32), ("words", _int32),
                 ("progress", _Progress), ("warn", _Warn), ("user", ctypes.c_void_p),
-                ("interval", _double), ("longest_expected_time", _double)]
+                ("interval", _double), ("longest_expected_time", _double),
+                ("free_memory", _double)]
 
 
 class Options(Sized):
@@ -277,7 +278,7 @@ class _Call:
 
     No exception may leave these functions, so one is kept, and ends the work."""
 
-    def __init__(self, interrupt, threads, longest_expected_time, note, words, show):
+    def __init__(self, interrupt, note, words, show, **run):
         self.failure = None
 
         # Handlers of signals run in here, too, and may raise anything.
@@ -298,8 +299,7 @@ class _Call:
         # Handlers may raise before a function has begun, too: ctypes hands that to a hook.
         self.functions = (progress, warn)
         # References to the functions are kept as long as the library may call them.
-        self.run = Run(number_of_threads=threads, words=words, progress=_Progress(progress),
-                       warn=_Warn(warn), longest_expected_time=longest_expected_time)
+        self.run = Run(words=words, progress=_Progress(progress), warn=_Warn(warn), **run)
         if show is not None:
             self.run.interval = 0.002  # little work is to show progress, too
 
@@ -327,8 +327,8 @@ class _Call:
             sys.unraisablehook = before
 
 
-def call(name, *arguments, threads=0, longest_expected_time=0, note=None, words=PYTHON_WORDS,
-         show=None):
+def call(name, *arguments, threads=0, longest_expected_time=0, free_memory=0, note=None,
+         words=PYTHON_WORDS, show=None):
     """Calls a function of the library with its arguments, the refusal excepted.
 
     RUN stands for the run among them. Refused input is raised as WindingError. Warnings are warned
@@ -339,8 +339,9 @@ def call(name, *arguments, threads=0, longest_expected_time=0, note=None, words=
     refusal = Refusal()
     function = getattr(_library, name)
     with Interrupt() as interrupt:
-        made = _Call(interrupt, threads, longest_expected_time, warn if note is None else note,
-                     words, show)
+        made = _Call(interrupt, warn if note is None else note, words, show,
+                     number_of_threads=threads, longest_expected_time=longest_expected_time,
+                     free_memory=free_memory)
         given = [ctypes.byref(made.run) if argument is RUN else argument for argument in arguments]
         with made.catching():
             status = function(*given, ctypes.byref(refusal))
@@ -348,7 +349,7 @@ def call(name, *arguments, threads=0, longest_expected_time=0, note=None, words=
     if made.failure is not None:
         raise made.failure
     text = refusal.text.decode(errors="ignore")
-    if status == NO_MEMORY and name in _ON_GRIDS:
+    if status == NO_MEMORY and name in _ON_GRIDS and ":" not in text:
         text += f": choose larger voxels ({_VOXELS[words]})"
     if status == NO_MEMORY:
         raise WindingMemoryError(text)

@@ -255,7 +255,8 @@ inline const Call allCalls[] = {
     [](Arguments& a)
     {
       double bytes;
-      return winding_expect_surface(a.field.get(), &a.grid, nullptr, &a.run, &bytes, &a.refusal);
+      return winding_expect_surface(
+        a.field.get(), &a.grid, nullptr, nullptr, &a.run, &bytes, &a.refusal);
     }},
   {"winding_measure",
     [](Arguments& a)

@@ -214,8 +214,8 @@ TEST(LevelSurface, ThatCannotBeNumberedIsRefused)
   grid.dimensions[0] = 2000000000;
   grid.spacing[0] = 1e-9;
   double bytes = 0;
-  ASSERT_EQ(
-    winding_expect_surface(field.get(), &grid, nullptr, nullptr, &bytes, nullptr), WINDING_OK);
+  ASSERT_EQ(winding_expect_surface(field.get(), &grid, nullptr, nullptr, nullptr, &bytes, nullptr),
+    WINDING_OK);
   EXPECT_GT(bytes, 1e10);
   winding_mesh* mesh = nullptr;
   winding_refusal refusal;

@@ -45,4 +45,11 @@ inline double levelOf(double windingNumber, InsideRule rule, double threshold)
   return 0;
 }
 
+/// A test that decides whether samples are inside, by isInside().
+struct InsideTest
+{
+  InsideRule rule = InsideRule::signedThreshold;
+  double threshold = 0.5;
+};
+
 } // namespace winding

@@ -51,6 +51,7 @@ CloudField::CloudField(
   info_.weldedVertices = cloud_.positions.size();
   info_.bounds = cloud_.bounds;
   info_.isScattered = options.scattered;
+  info_.tolerance = options.tolerance;
   if (cloud_.dropped() > 0)
   {
     info_.warnings.emplace_back(

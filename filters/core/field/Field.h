@@ -139,6 +139,7 @@ struct FieldInfo
   Bounds bounds;                  ///< box of the vertices or points
   bool isScattered = false;       ///< whether scattered samples were announced, not grids
   Method method = Method::direct; ///< method that was chosen, never automatic
+  double tolerance = 0;           ///< FieldOptions::tolerance
   std::string why;                ///< reason for the choice of the method, for the user
   std::vector<Message> warnings;  ///< notes on the input that the user should read
 

@@ -46,6 +46,7 @@ SurfaceField::SurfaceField(
   info_.weldedVertices = surface_.vertices.size();
   info_.bounds = surface_.bounds;
   info_.isScattered = options.scattered;
+  info_.tolerance = options.tolerance;
   if (surface_.dropped() > 0)
   {
     info_.warnings.emplace_back(

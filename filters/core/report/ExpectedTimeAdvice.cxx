@@ -39,7 +39,7 @@ std::string inWords(double seconds)
   return withUnit(seconds, "second");
 }
 
-std::vector<Remedy> fasterThan(const FieldInfo& info, double tolerance)
+std::vector<Remedy> fasterThan(const FieldInfo& info)
 {
   std::vector<Remedy> remedies;
   const bool sumsAll = info.method == Method::direct || info.method == Method::parity;
@@ -48,7 +48,7 @@ std::vector<Remedy> fasterThan(const FieldInfo& info, double tolerance)
     constexpr int automatic = static_cast<int>(Method::automatic);
     remedies.push_back({"", {{Parameter::method, automatic}}});
   }
-  if (!sumsAll || tolerance < FarFieldAccuracy::finest)
+  if (!sumsAll || info.tolerance < FarFieldAccuracy::finest)
   {
     remedies.push_back({"choose a larger tolerance", {Parameter::tolerance}});
   }
@@ -66,7 +66,7 @@ std::optional<Message> expectedTimeAdvice(const FieldInfo& info, const ExpectedW
   {
     return std::nullopt;
   }
-  Message advice{"this takes about " + inWords(work.seconds), fasterThan(info, work.tolerance),
+  Message advice{"this takes about " + inWords(work.seconds), fasterThan(info),
     std::to_string(work.samples) + " samples of " + std::to_string(info.primitives) +
       (info.isSurface ? " triangles" : " points") + " by the method " + nameOf(info.method)};
   if (isRefused)

@@ -17,7 +17,6 @@ struct ExpectedWork
   double seconds = 0; ///< that it is expected to take
   double limit = 0;   ///< the most that it may take; 0 for any
   std::size_t samples = 0;
-  double tolerance = 0;
 };
 
 /// Returns a message about `work` that takes more than a minute: how long it takes, and what would

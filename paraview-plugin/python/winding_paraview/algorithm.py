@@ -285,7 +285,9 @@ class Algorithm(VTKPythonAlgorithmBase):
 
         longest = self.value("LongestExpectedTime") if "LongestExpectedTime" in self.values else 0
         threads = self.value("NumberOfThreads") if "NumberOfThreads" in self.values else 0
+        free = _free_bytes()
         _library.call(name, *arguments, threads=threads, longest_expected_time=longest,
+                      free_memory=0 if math.isinf(free) else free,
                       words=_library.PARAVIEW_WORDS, show=show, note=note or self.warn)
 
     def note_progress(self, elapsed, share):

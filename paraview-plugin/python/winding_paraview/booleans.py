@@ -158,7 +158,8 @@ class WindingNumberBoolean(SurfaceAlgorithm):
         if len(self.infos) < count:
             return False
         self.info = max(self.infos, key=lambda info: info.primitives)
-        needed = sum(self.refuse_large_surface(*pair) for pair in zip(fields, rules))
+        needed = sum(self.bytes_of_surface(*pair, self.surface_options())
+                     for pair in zip(fields, rules))
         self.expect(sample_count(whole_extent(self.grid)), False, needed)
         self._combine(fields, rules, names, output, image)
         self.verification = self.verify_all(fields, self.grid, whole_extent(self.grid))

@@ -16,7 +16,7 @@ from vtkwinding import _datasets, _library, _options
 from vtkwinding._attributes import Attributes
 from vtkwinding._errors import WindingError
 
-from .algorithm import RUN, Algorithm, copied, declared, new_array, refuse_beyond_memory
+from .algorithm import RUN, Algorithm, copied, declared, new_array
 from .grids import VTK_UNSIGNED_CHAR, GridAlgorithm, sample_count, whole_extent
 from .ranks import Ranks
 from .sources import kind_of
@@ -113,14 +113,11 @@ class SurfaceAlgorithm(GridAlgorithm):
                 nearest.add_to(output)
         return 1
 
-    def refuse_large_surface(self, field, rule):
-        """Refuses a surface that does not fit into memory. Returns the bytes that it is to take."""
+    def bytes_of_surface(self, field, rule, options):
+        """Returns the bytes that a surface is to take. Refuses one beyond the free memory."""
         needed = ctypes.c_double()
         self.call("winding_expect_surface", field.pointer, ctypes.byref(self.grid),
-                  ctypes.byref(rule), RUN, ctypes.byref(needed))
-        if self.value("GenerateImage"):
-            needed.value += sample_count(whole_extent(self.grid))
-        refuse_beyond_memory(needed.value, "the surface")
+                  ctypes.byref(rule), ctypes.byref(options), RUN, ctypes.byref(needed))
         return int(needed.value)
 
     def surface_options(self, **shape):
@@ -169,11 +166,11 @@ class WindingNumberSurface(SurfaceAlgorithm):
         if not self.prepare(data, ranks):
             return False
         samples = sample_count(whole_extent(self.grid))
-        needed = self.refuse_large_surface(self.field, self.rule())
-        self.expect(samples, bool(self.value("GenerateDistanceToInput")), needed)
         options = self.surface_options(
             fill_cavities=bool(self.value("FillCavities")), offset=self.value("Offset"),
             shell=self.value("Shell"), shell_side=self.value("ShellSide"))
+        needed = self.bytes_of_surface(self.field, self.rule(), options)
+        self.expect(samples, bool(self.value("GenerateDistanceToInput")), needed)
         mesh = _library.Handle("winding_mesh_free")
         self.evaluate("winding_level_surface", self.field.pointer, ctypes.byref(self.grid),
                       ctypes.byref(self.rule()), ctypes.byref(options), RUN,

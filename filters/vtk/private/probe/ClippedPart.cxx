@@ -91,7 +91,7 @@ void refuseHugePart(vtkDataSet* data, const double* numbers, HostMemory (*memory
   const double most =
     bytesOfPoint * static_cast<double>(points) +
     (bytesOfCell + bytesPerId * data->GetMaxCellSize()) * static_cast<double>(cells);
-  if (isMemoryFree(most, memory))
+  if (isFree(most, [memory] { return freeBytes(memory); }))
   {
     return;
   }
