@@ -50,8 +50,7 @@ std::string checkLines(const Surface& surface)
   SerialExecutor serial;
   constexpr std::size_t points = 8;
   const SurfaceSamples samples = sampleSurface(surface, points, serial);
-  const std::vector<SampleLine> lines =
-    linesThrough(surface, samples.points, samples.extents, serial);
+  const std::vector<SampleLine> lines = linesThrough(surface, samples.points, samples, serial);
   const bool isClosed = boundaryChain(surface, serial).edges.empty();
   const double size = surface.bounds.sizes().maxCoeff();
   const double step = 1e-5 * size;
@@ -95,9 +94,9 @@ std::string checkDiagnosis(Choices& choices)
     const Surface surface = shapes::clean(mesh);
     const Point sizes = surface.bounds.sizes();
     // Points are rounded, by more than a step in a source that is far from the origin.
-    const bool isOrdinary =
-      !surface.bounds.isEmpty() &&
-      surface.bounds.min().cwiseAbs().maxCoeff() < 1e3 * sizes.maxCoeff() && sizes.maxCoeff() > 0;
+    const bool isOrdinary = !surface.bounds.isEmpty() &&
+                            surface.bounds.min().cwiseAbs().maxCoeff() < 1e3 * sizes.maxCoeff() &&
+                            sizes.maxCoeff() > 0;
     return isOrdinary ? checkLines(surface) : std::string();
   }
   catch (const Refusal&)

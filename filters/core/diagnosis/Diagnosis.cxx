@@ -5,6 +5,8 @@
 #include "base/Digits.h"
 #include "cloud/CloudOrientation.h"
 #include "diagnosis/InsideOutAdvice.h"
+#include "source/CompareCoordinates.h"
+#include "source/CoordinateOrder.h"
 #include "source/UnitScale.h"
 #include "sums/DirectSum.h"
 #include "surface/Components.h"
@@ -22,9 +24,6 @@ namespace winding
 
 namespace
 {
-
-/// Lines for a point of the area, and for one of a repeated triangle.
-constexpr std::size_t perPoint = 4, perRepeated = 7;
 
 /// Walls that lines are drawn through to find whether they bound something.
 constexpr std::size_t wallsToCheck = 48;
@@ -47,32 +46,6 @@ template <class Item> std::vector<Item> evenly(const std::vector<Item>& items, s
     chosen.push_back(items[i * items.size() / count]);
   }
   return chosen;
-}
-
-/// Returns the surface's area in units of the largest side of its bounds: how many triangles a line
-/// meets, up to a factor.
-double layersOf(const Surface& surface, const std::vector<SurfaceSample>& points)
-{
-  double area = 0;
-  for (const SurfaceSample& point : points)
-  {
-    area += point.weight;
-  }
-  const Eigen::Vector3d sizes = unitScale(surface.bounds) * surface.bounds.sizes();
-  const double side =
-    std::max({sizes[0] * sizes[1], sizes[1] * sizes[2], sizes[2] * sizes[0]});
-  return side > 0 ? area / side : 1;
-}
-
-/// Returns the number of lines, `most` or fewer, that meet no more triangles than a fixed number
-/// and a quarter of all.
-std::size_t affordableLines(
-  const Surface& surface, const std::vector<SurfaceSample>& points, std::size_t most)
-{
-  constexpr double fewest = 64;
-  const double crossings = 0x1p15 + static_cast<double>(surface.triangles.size()) / 4;
-  const double layers = std::max(1.0, layersOf(surface, points));
-  return std::min(most, static_cast<std::size_t>(std::max(fewest, crossings / layers)));
 }
 
 /// Returns whether a triangle is so thin that rounding of its corners decides which way it looks.
@@ -98,7 +71,8 @@ bool addsUp(const SampleLine& line)
 bool areSeveralSolids(const SampleLine* first, const SampleLine* last)
 {
   const int times = std::abs(first->step);
-  return times > 1 && std::all_of(first, last, [times](const SampleLine& line)
+  return times > 1 && std::all_of(first, last,
+                        [times](const SampleLine& line)
                         { return line.times == times * (line.facesBefore + line.facesBehind); });
 }
 
@@ -140,18 +114,12 @@ bool areOnSkin(const SampleLine* lines)
 {
   const auto areMost = [](const SampleLine* first, int parity)
   {
-    return std::count_if(first, first + 3, [parity](const SampleLine& line)
+    return std::count_if(first, first + 3,
+             [parity](const SampleLine& line)
              { return line.facesBefore % 2 == parity && line.facesBehind % 2 == parity; }) >= 2;
   };
   return (areMost(lines, 0) && areMost(lines + 3, 1)) ||
          (areMost(lines, 1) && areMost(lines + 3, 0));
-}
-
-/// Returns a count to two digits.
-std::string aboutCount(double count)
-{
-  const double digit = std::pow(10, std::max(0.0, std::floor(std::log10(count)) - 1));
-  return "about " + std::to_string(std::llround(std::max(1.0, std::round(count / digit) * digit)));
 }
 
 } // namespace
@@ -194,10 +162,6 @@ const Diagnosis::Lines& Diagnosis::lines(Executor& executor) const
   {
     const Surface& surface = *facts_.distinct;
     const SurfaceSamples& all = this->points(executor);
-    Lines lines;
-    constexpr std::size_t most = 40, mostRepeated = 16;
-    lines.points =
-      evenly(all.points, affordableLines(surface, all.points, perPoint * most) / perPoint);
     std::vector<std::int32_t> repeated;
     for (std::size_t i = 0; i < surface.multiplicities.size(); ++i)
     {
@@ -206,26 +170,42 @@ const Diagnosis::Lines& Diagnosis::lines(Executor& executor) const
         repeated.push_back(static_cast<std::int32_t>(i));
       }
     }
-    const std::size_t chosen =
-      affordableLines(surface, all.points, perRepeated * mostRepeated) / perRepeated;
-    lines.repeated = sampleTriangles(surface, chooseTriangles(surface, repeated, chosen));
-    std::vector<SurfaceSample> samples;
-    const double height = 1e-4 * surface.bounds.sizes().maxCoeff();
-    for (const SurfaceSample& point : lines.points)
+    constexpr std::size_t most = 40, mostRepeated = 16;
+    Lines lines;
+    lines.points = evenly(all.points, most);
+    lines.repeated = sampleTriangles(surface, chooseTriangles(surface, repeated, mostRepeated));
+    const double share = affordableShare(surface, lines.places(surface.bounds), all);
+    constexpr double least = 0.2; // fewer lines say nothing
+    const auto some = [share](const std::vector<SurfaceSample>& samples)
     {
-      samples.push_back(point);
-      addAlongAxes(point, height, samples);
-    }
-    for (const SurfaceSample& point : lines.repeated)
-    {
-      samples.push_back(point);
-      addAlongAxes(point, -height, samples);
-      addAlongAxes(point, height, samples);
-    }
-    lines.lines = linesThrough(surface, samples, all.extents, executor);
+      const double count = share * static_cast<double>(samples.size());
+      return evenly(samples, share < least ? 0 : static_cast<std::size_t>(count));
+    };
+    lines.points = some(lines.points);
+    lines.repeated = some(lines.repeated);
+    lines.lines = linesThrough(surface, lines.places(surface.bounds), all, executor);
     lines_ = std::move(lines);
   }
   return *lines_;
+}
+
+/// Returns the places that lines run through, along their normals.
+std::vector<SurfaceSample> Diagnosis::Lines::places(const Bounds& bounds) const
+{
+  std::vector<SurfaceSample> places;
+  const double height = 1e-4 * bounds.sizes().maxCoeff();
+  for (const SurfaceSample& point : points)
+  {
+    places.push_back(point);
+    addAlongAxes(point, height, places);
+  }
+  for (const SurfaceSample& point : repeated)
+  {
+    places.push_back(point);
+    addAlongAxes(point, -height, places);
+    addAlongAxes(point, height, places);
+  }
+  return places;
 }
 
 const WallSamples& Diagnosis::walls(Executor& executor) const
@@ -236,16 +216,24 @@ const WallSamples& Diagnosis::walls(Executor& executor) const
     const Surface& surface = *facts_.distinct;
     const SurfaceSamples& all = this->points(executor);
     WallSamples walls;
-    walls.points = evenly(all.points, affordableLines(surface, all.points, wallPoints(surface)));
-    walls.shareOfFound = all.shareOfSome;
-    for (const SampleLine& line : linesThrough(
-           surface, walls.points, all.extents, executor, all.some.empty() ? nullptr : &all.some))
+    walls.points = this->affordable(evenly(all.points, wallPoints(surface)), executor);
+    for (const SampleLine& line :
+      linesThrough(surface, walls.points, all, executor, all.some.empty() ? nullptr : &all.some))
     {
       walls.thicknesses.push_back(line.wall);
+      walls.shares.push_back(line.wallTriangle < 0 ? 1 : all.shareOf(surface, line.wallTriangle));
     }
     walls_ = std::move(walls);
   }
   return *walls_;
+}
+
+/// Returns as many of some samples as lines can be drawn through.
+std::vector<SurfaceSample> Diagnosis::affordable(
+  const std::vector<SurfaceSample>& samples, Executor& executor) const
+{
+  const double share = affordableShare(*facts_.distinct, samples, this->points(executor));
+  return evenly(samples, static_cast<std::size_t>(share * static_cast<double>(samples.size())));
 }
 
 bool Diagnosis::hasNoSides(Executor& executor) const
@@ -296,13 +284,14 @@ std::vector<Message> Diagnosis::findFaults(Executor& executor) const
     }
   }
   Contradictions found;
-  if (this->doContradictionsMatter())
+  constexpr std::size_t mostForPatches = 16384;
+  if (this->doContradictionsMatter() && surface.triangles.size() <= mostForPatches)
   {
-    constexpr std::size_t mostForPatches = 16384;
+    found = contradictionsOf(surface, edgesOf(surface, executor));
+  }
+  else if (this->doContradictionsMatter())
+  {
     found.edges = facts_.contradictions.size();
-    found = surface.triangles.size() <= mostForPatches
-              ? contradictionsOf(surface, edgesOf(surface, executor))
-              : found;
   }
   if (found.oneSided > 0)
   {
@@ -351,22 +340,16 @@ std::optional<Message> Diagnosis::findRepeatedFaces(Executor& executor) const
   const Lines& found = this->lines(executor);
   const std::vector<Remedy> remedies = {{"take each once", {{Parameter::orientFaces, 1}}}};
   const std::string fault = "faces are there more than once: they add up, or cancel";
-  if (repeats > 0)
+  for (std::size_t i = 0; i < found.repeated.size(); ++i)
   {
-    std::size_t wrong = 0;
-    for (std::size_t i = 0; i < found.repeated.size(); ++i)
+    const SampleLine* const lines = found.ofRepeated(i);
+    if (addsUp(lines[0]) || areSeveralSolids(lines, lines + Lines::perRepeated) ||
+        (mayCancelSkin(lines[0], 1) && areOnSkin(lines + 1)))
     {
-      const SampleLine* const lines = found.ofRepeated(i);
-      wrong += addsUp(lines[0]) || areSeveralSolids(lines, lines + perRepeated) ||
-               (mayCancelSkin(lines[0], 1) && areOnSkin(lines + 1));
+      return Message(fault, remedies,
+        std::to_string(repeats) + " of " + std::to_string(facts_.surface->triangles.size()) +
+          " triangles");
     }
-    const std::size_t all = found.repeated.size();
-    const double count = static_cast<double>(wrong * repeats) / static_cast<double>(all + !all);
-    return wrong > 0
-             ? std::optional<Message>({fault, remedies,
-                 (wrong == all ? std::to_string(repeats) : aboutCount(count)) + " of " +
-                   std::to_string(facts_.surface->triangles.size()) + " triangles"})
-             : std::nullopt;
   }
   // Copies that are cut into other triangles lie in the same place.
   double wrong = 0, all = 0;
@@ -379,7 +362,9 @@ std::optional<Message> Diagnosis::findRepeatedFaces(Executor& executor) const
   }
   constexpr double least = 0.1; // chance may find less
   const std::string share = "about " + percentOf(wrong / all) + " of the surface";
-  return wrong > least * all ? std::optional<Message>({fault, remedies, share}) : std::nullopt;
+  return facts_.hasManyCrowds && wrong > least * all
+           ? std::optional<Message>({fault, remedies, share})
+           : std::nullopt;
 }
 
 /// Returns whether repeated triangles may matter: in large surfaces they have a thousandth of the
@@ -510,10 +495,26 @@ bool Diagnosis::hasInwardPart(Executor& executor) const
   const std::lock_guard<std::recursive_mutex> lock(lock_);
   if (!hasInwardPart_)
   {
-    hasInwardPart_ = this->isClosed() ? this->hasInwardSolid(executor)
-                                      : this->looksMostlyInward(executor);
+    hasInwardPart_ =
+      this->isClosed() ? this->hasInwardSolid(executor) : this->looksMostlyInward(executor);
   }
   return *hasInwardPart_;
+}
+
+/// Returns whether a triangle comes before another one, by the coordinates of its lowest corners.
+static bool isBefore(const Surface& surface, const Triangle& a, const Triangle& b)
+{
+  const Triangle first = lowestFirst(surface.vertices, a),
+                 second = lowestFirst(surface.vertices, b);
+  for (int i = 0; i < 3; ++i)
+  {
+    const int order = compareCoordinates(surface.vertices[first[i]], surface.vertices[second[i]]);
+    if (order != 0)
+    {
+      return order < 0;
+    }
+  }
+  return false;
 }
 
 /// Returns whether any part of a closed surface has a negative volume, and lies in no other.
@@ -546,7 +547,7 @@ bool Diagnosis::hasInwardSolid(Executor& executor) const
   const ChainView chain(surface);
   for (std::size_t i = 0; i < chain.size(); ++i)
   {
-    const Triangle& t = chain[i];
+    const Triangle t = lowestFirst(surface.vertices, chain[i]); // for the same bits in any order
     const std::int32_t first = pieces.sets.find(t[0]);
     Part& part = parts[static_cast<std::size_t>(first)];
     const Eigen::Vector3d a = scale * (surface.vertices[t[0]] - surface.vertices[first]);
@@ -556,7 +557,10 @@ bool Diagnosis::hasInwardSolid(Executor& executor) const
     const double area = chain.multiplicity(i) * across.norm();
     part.volume += chain.multiplicity(i) * a.dot(across);
     part.area += area;
-    if (area > part.areaOfLargest)
+    // The lowest corner decides between equal areas.
+    if (area > part.areaOfLargest ||
+        (area == part.areaOfLargest && part.largest >= 0 &&
+          isBefore(surface, t, chain[static_cast<std::size_t>(part.largest)])))
     {
       part.largest = static_cast<std::int32_t>(i);
       part.areaOfLargest = area;
@@ -571,11 +575,11 @@ bool Diagnosis::hasInwardSolid(Executor& executor) const
       inward.push_back(part.largest);
     }
   }
-  constexpr std::size_t most = 64;
-  const SurfaceSamples& all = this->points(executor);
-  const std::vector<SurfaceSample> samples = sampleTriangles(
-    surface, chooseTriangles(surface, inward, affordableLines(surface, all.points, most)));
-  const std::vector<SampleLine> lines = linesThrough(surface, samples, all.extents, executor);
+  constexpr std::size_t most = 256;
+  const std::vector<SurfaceSample> samples =
+    this->affordable(sampleTriangles(surface, chooseTriangles(surface, inward, most)), executor);
+  const std::vector<SampleLine> lines =
+    linesThrough(surface, samples, this->points(executor), executor);
   return std::any_of(
     lines.begin(), lines.end(), [](const SampleLine& line) { return line.before < 0; });
 }
@@ -639,9 +643,8 @@ Facing Diagnosis::facing(
   }
   else
   {
-    areSheets = facts_.openings.areWide() ||
-                (!this->isClosed() && facts_.contradictions.empty() &&
-                  !this->hasInwardPart(executor));
+    areSheets = facts_.openings.areWide() || (!this->isClosed() && facts_.contradictions.empty() &&
+                                               !this->hasInwardPart(executor));
     facing.looksInward = !areSheets;
   }
   if (facing.looksInward)
@@ -681,8 +684,8 @@ std::optional<ThinParts> Diagnosis::thinParts(const Grid& grid, const IsSampleIn
 
 /// Leaves of thin parts what bounds something: it has the outside before it, and the inside behind,
 /// as far as both ends of lines agree. All of a large closed surface counts.
-void Diagnosis::keepBounds(InsideRule rule, double threshold, const Grid& grid, Executor& executor,
-  ThinParts& parts) const
+void Diagnosis::keepBounds(
+  InsideRule rule, double threshold, const Grid& grid, Executor& executor, ThinParts& parts) const
 {
   const std::lock_guard<std::recursive_mutex> lock(lock_);
   const auto isBound = [&](const SampleLine& line)
@@ -717,7 +720,7 @@ void Diagnosis::keepBounds(InsideRule rule, double threshold, const Grid& grid, 
       {
         points.push_back(walls.points[i]);
       }
-      wallLines_ = linesThrough(surface, points, this->points(executor).extents, executor);
+      wallLines_ = linesThrough(surface, points, this->points(executor), executor);
     }
     std::vector<std::size_t> bounds;
     std::size_t thin = 0, bound = 0;

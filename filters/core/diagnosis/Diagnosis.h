@@ -28,8 +28,8 @@ struct SurfaceFacts
   std::size_t netBoundaryEdges = 0;
   bool hasRims = false;    ///< whether there are edges that one triangle uses
   bool hasNoSides = false; ///< whether all triangles are there in both senses
-  /// Whether a tenth of the vertices are at edges that more than two triangles share, or two in the
-  /// same sense.
+  /// Whether edges that more than two triangles share, or two in the same sense, have more ends
+  /// than a tenth of the vertices.
   bool hasManyCrowds = false;
   std::vector<Contradiction> contradictions; ///< edges that two triangles use in the same sense
   Openings openings;
@@ -62,7 +62,8 @@ Message emptySourceAdvice(bool isWelded);
  * and front ends, on any number of threads. Answers depend on the set of triangles alone: neither
  * on their order nor on threads, clocks or machines.
  *
- * Answers come from samples of fixed numbers, and shares are good to a few hundredths. Times are
+ * Answers come from samples of fixed numbers, and fewer where lines would have to be tested by more
+ * triangles than affordableShare() admits. Shares of walls are good to a few hundredths. Times are
  * for a triangle of a mesh of 100 000:
  *
  * | question | from | time |
@@ -72,11 +73,13 @@ Message emptySourceAdvice(bool isWelded);
  * | do faces contradict each other | edges, which the field finds | 0 |
  * | do open parts lie in closed ones | the same lines | 0 |
  * | does the source look inward | the result, the same lines, and volumes of parts | 40 ns |
- * | are walls thinner than a voxel | lines through 512 points, and some triangles | 30 ns |
+ * | are walls thinner than a voxel | lines through 512 or 1024 points, some triangles | 30 ns |
  *
- * So a tenth of the time of a field, and 2 ms, are enough (tests/core/diagnosis). Volumes are found
- * for up to 65 536 triangles, patches with one side for up to 16 384. Less than a hundredth of the
- * area may go unnoticed. Members throw Interrupted.
+ * Few surfaces need more than one of these. So a tenth of the time of a field, and 2 ms, are enough
+ * (tests/core/diagnosis). Volumes are found for up to 65 536 triangles, patches with one side for
+ * up to 16 384. Less than a hundredth of the area may go unnoticed, and what lines along the axes
+ * do not show: stacks of slanted open parts, and faces that are there twice among many that are
+ * not. Members throw Interrupted.
  */
 class Diagnosis
 {
@@ -110,8 +113,8 @@ public:
   Facing facing(
     const SideCounts& sides, InsideRule rule, double threshold, Executor& executor) const;
 
-  /// Finds the parts of a closed or nearly closed surface that a grid does not show. Nothing is
-  /// found for clouds and for surfaces that look inward.
+  /// Finds the parts of a surface that a grid does not show. Nothing is found for clouds. Callers
+  /// leave out surfaces that look inward, whose inside is another one.
   std::optional<ThinParts> thinParts(const Grid& grid, const IsSampleInside& isInside,
     InsideRule rule, double threshold, Executor& executor) const;
 
@@ -122,15 +125,20 @@ private:
     std::vector<SurfaceSample> points, repeated;
     std::vector<SampleLine> lines;
 
+    /// The lines for each point, and for each repeated triangle.
+    static constexpr std::size_t perPoint = 4, perRepeated = 7;
+
+    std::vector<SurfaceSample> places(const Bounds& bounds) const;
+
     /// Returns the line along the normal of a point, and after it these along the axes through a
     /// place just before it.
-    const SampleLine* ofPoint(std::size_t i) const { return lines.data() + 4 * i; }
+    const SampleLine* ofPoint(std::size_t i) const { return lines.data() + perPoint * i; }
 
     /// Returns the line along the normal of a repeated triangle, and after it these along the axes
     /// through a place just behind it and one just before it.
     const SampleLine* ofRepeated(std::size_t i) const
     {
-      return lines.data() + 4 * points.size() + 7 * i;
+      return lines.data() + perPoint * points.size() + perRepeated * i;
     }
   };
 
@@ -138,6 +146,8 @@ private:
   const SurfaceSamples& points(Executor& executor) const;
   const Lines& lines(Executor& executor) const;
   const WallSamples& walls(Executor& executor) const;
+  std::vector<SurfaceSample> affordable(
+    const std::vector<SurfaceSample>& samples, Executor& executor) const;
   std::vector<Message> findFaults(Executor& executor) const;
   bool doContradictionsMatter() const;
   std::optional<Message> findRepeatedFaces(Executor& executor) const;

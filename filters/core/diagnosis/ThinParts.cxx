@@ -142,16 +142,16 @@ ThinParts thinPartsOf(const WallSamples& walls, const Grid& grid, const IsSample
     const double weight = walls.points[i].weight, thickness = walls.thicknesses[i];
     const bool isLost = isInside && !samples->hasAny(isInside);
     all += weight;
-    lost += isLost && thickness < diagonal ? weight : 0;
-    thin += thickness < voxel ? weight : 0;
+    lost += isLost && thickness < diagonal ? weight / walls.shares[i] : 0;
+    thin += thickness < voxel ? weight / walls.shares[i] : 0;
     found += thickness < (isLost ? diagonal : voxel);
     parts.hasLostPoints |= isLost;
   }
   constexpr std::size_t fewest = 4; // walls, as chance may find some
   if (found >= fewest)
   {
-    parts.lostShare = std::min(1.0, lost / all / walls.shareOfFound);
-    parts.thinShare = std::min(1.0, thin / all / walls.shareOfFound);
+    parts.lostShare = std::min(1.0, lost / all);
+    parts.thinShare = std::min(1.0, thin / all);
   }
   return parts;
 }
@@ -189,8 +189,14 @@ void countLostComponents(
   const Surface& surface, const Grid& grid, const IsSampleInside& isInside, ThinParts& parts)
 {
   const SolidBoxes solids = solidBoxesOf(surface, grid);
+  constexpr std::size_t most = 1 << 16;
+  std::size_t looks = 0;
+  const auto isInsideInTime = [&](int i, int j, int k)
+  {
+    return ++looks > most || isInside(i, j, k);
+  };
   parts.lostComponents = static_cast<std::size_t>(std::count_if(solids.small.begin(),
-    solids.small.end(), [&isInside](const SampleBox& box) { return !box.hasAny(isInside); }));
+    solids.small.end(), [&](const SampleBox& box) { return !box.hasAny(isInsideInTime); }));
   parts.components = parts.lostComponents > 0 ? solids.count : 0;
 }
 

@@ -17,7 +17,7 @@ struct WallSamples
 {
   std::vector<SurfaceSample> points;
   std::vector<double> thicknesses; ///< by point; infinite where no other side was met
-  double shareOfFound = 1; ///< probability that the other side of a wall was met
+  std::vector<double> shares;      ///< by point: probability that its other side was met
 
   /// Returns the indices of the walls whose other side was met, the thinnest first.
   std::vector<std::size_t> inOrder() const;
@@ -26,9 +26,9 @@ struct WallSamples
 /// The part of a surface that a grid does not show, since what it encloses has no sample inside.
 struct ThinParts
 {
-  double lostShare = 0; ///< of the area, 0 to 1, that no sample near shows
-  double thinShare = 0; ///< of the area that bounds walls thinner than a voxel
-  double thickness = 0; ///< most of these parts are as thick, or 0 if it is not known
+  double lostShare = 0;           ///< of the area, 0 to 1, that no sample near shows
+  double thinShare = 0;           ///< of the area that bounds walls thinner than a voxel
+  double thickness = 0;           ///< most of these parts are as thick, or 0 if it is not known
   bool hasLostPoints = false;     ///< whether no sample shows some of the points, thin or not
   std::size_t components = 0;     ///< connected sets of triangles; 0 where none is lost
   std::size_t lostComponents = 0; ///< that no sample is inside of
@@ -51,7 +51,7 @@ ThinParts thinPartsOf(const WallSamples& walls, const Grid& grid, const IsSample
 
 /// Counts the connected sets of triangles of a closed surface that are lost: they are smaller than
 /// two voxels along some axis, and no sample of their bounds and next to them is inside. Takes 25
-/// ns per triangle.
+/// ns per triangle, and looks at 65 536 samples at most: sets beyond do not count.
 void countLostComponents(
   const Surface& surface, const Grid& grid, const IsSampleInside& isInside, ThinParts& parts);
 

@@ -59,7 +59,7 @@ SurfaceField::SurfaceField(
   info_.boundaryEdges = chain.edgesOfOneTriangle;
   info_.contradictingEdges = chain.contradictions.size();
   info_.netBoundaryEdges = chain.edges.size();
-  this->takeEqualTogether(chain.crowdedVertices);
+  this->takeEqualTogether(chain);
   info_.distinct = distinct_->triangles.size();
   if (!chain.edges.empty() && info_.added == 0)
   {
@@ -72,7 +72,6 @@ SurfaceField::SurfaceField(
   facts.netBoundaryEdges = info_.netBoundaryEdges;
   facts.hasRims = info_.boundaryEdges > 0;
   facts.hasNoSides = !merged_.multiplicities.empty() && merged_.multiplicities.back() == 0;
-  // A vertex is listed for each of its edges.
   facts.hasManyCrowds = 10 * chain.crowdedVertices.size() > surface_.vertices.size();
   facts.contradictions = std::move(chain.contradictions);
   facts.openings = info_.openings;
@@ -152,18 +151,21 @@ void SurfaceField::complete(
 }
 
 /// Makes the surface that is summed another one, where triangles are equal to each other.
-void SurfaceField::takeEqualTogether(const std::vector<std::int32_t>& crowdedVertices)
+void SurfaceField::takeEqualTogether(const BoundaryChain& chain)
 {
-  // The two sides of a single face, which no other touches, are looked for in small surfaces.
+  // The two sides of a single face, which no other touches, are looked for in small surfaces, and
+  // where faces share few vertices though all edges cancel.
   constexpr std::size_t few = 1000;
-  const bool isSmall = surface_.triangles.size() <= few;
-  std::vector<char> mayRepeat(surface_.vertices.size(), static_cast<char>(isSmall));
-  for (const std::int32_t vertex : crowdedVertices)
+  const bool mayBePairs =
+    surface_.triangles.size() <= few ||
+    (chain.edges.empty() && surface_.vertices.size() >= surface_.triangles.size());
+  std::vector<char> mayRepeat(surface_.vertices.size(), static_cast<char>(mayBePairs));
+  for (const std::int32_t vertex : chain.crowdedVertices)
   {
     mayRepeat[vertex] = 1;
   }
   std::optional<DistinctTriangles> distinct;
-  if (isSmall || !crowdedVertices.empty())
+  if (mayBePairs || !chain.crowdedVertices.empty())
   {
     distinct = distinctTriangles(surface_.triangles, mayRepeat);
   }

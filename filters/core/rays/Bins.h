@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace winding
@@ -32,40 +33,40 @@ struct BinBox
   }
 };
 
-/// Bins in the bounds of a surface: up to 512 along each side.
+/// Bins in a box: up to 512 along each side. The outer ones reach on to infinity.
 class Bins
 {
 public:
   static constexpr int most = 512;
 
   /// Makes bins along each axis for triangles of `extents` on average.
-  Bins(const Bounds& bounds, const Eigen::Vector3d& extents)
-    : origin_(bounds.min())
+  Bins(const Bounds& box, const Eigen::Vector3d& extents)
+    : origin_(box.min())
   {
-    const Eigen::Vector3d sizes = bounds.sizes();
+    const Eigen::Vector3d sizes = box.sizes();
     for (int axis = 0; axis < 3; ++axis)
     {
       constexpr double fewest = 8;
       const double wanted = extents[axis] > 0 ? sizes[axis] / extents[axis] : most;
       count_[axis] = static_cast<int>(std::clamp(wanted, fewest, 1.0 * most));
-      // The highest vertex lies in the last bin, too.
-      const double perLength = (1 - 1e-9) * count_[axis] / sizes[axis];
+      const double perLength = count_[axis] / sizes[axis];
       perLength_[axis] = std::isfinite(perLength) ? perLength : 0;
+      last_[axis] = count_[axis] - 1;
     }
   }
 
-  /// Returns the bin of a coordinate, the nearest one for a place outside. It never falls as the
-  /// coordinate rises.
+  /// Returns the bin of a coordinate. It never falls as the coordinate rises.
   int bin(int axis, double coordinate) const
   {
     const double bin = (coordinate - origin_[axis]) * perLength_[axis];
-    return bin >= count_[axis] ? count_[axis] - 1 : bin > 0 ? static_cast<int>(bin) : 0;
+    return static_cast<int>(std::clamp(bin, 0.0, last_[axis]));
   }
 
-  /// Returns the bins of a place within the bounds, in a number.
+  /// Returns the bins of a place in one number.
   std::uint32_t binsOf(const Eigen::Vector3d& place) const
   {
-    const Eigen::Vector3d bins = (place - origin_).cwiseProduct(perLength_);
+    const Eigen::Vector3d bins =
+      (place - origin_).cwiseProduct(perLength_).cwiseMax(0.0).cwiseMin(last_);
     return static_cast<std::uint32_t>(static_cast<int>(bins[0]) | static_cast<int>(bins[1]) << 10 |
                                       static_cast<int>(bins[2]) << 20);
   }
@@ -73,7 +74,10 @@ public:
   /// Returns where a bin starts, up to rounding.
   double start(int axis, double bin) const
   {
-    return origin_[axis] + (perLength_[axis] > 0 ? bin / perLength_[axis] : 0);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return bin <= 0              ? -infinity
+           : bin >= count_[axis] ? infinity
+                                 : origin_[axis] + bin / perLength_[axis];
   }
 
   /// Returns the range of three places by their bins.
@@ -93,7 +97,7 @@ private:
     return (b & mask) | (a & ~mask);
   }
 
-  Eigen::Vector3d origin_, perLength_;
+  Eigen::Vector3d origin_, perLength_, last_;
   int count_[3];
 };
 
@@ -167,7 +171,7 @@ public:
 
 private:
   using Bits = std::vector<std::uint64_t>; ///< by bin, row after row
-  static constexpr int levels = 9; ///< of one bin; Bins::most is 2^levels
+  static constexpr int levels = 9;         ///< of one bin; Bins::most is 2^levels
 
   struct Link
   {
@@ -204,7 +208,7 @@ private:
   Bits filled_;
   Bits nearby_; ///< all levels, one after the other
   std::size_t starts_[levels + 1];
-  std::vector<Slot> slots_;  ///< a hash table, half of it empty
+  std::vector<Slot> slots_; ///< a hash table, half of it empty
   std::vector<Link> links_;
 };
 

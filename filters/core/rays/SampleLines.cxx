@@ -3,6 +3,7 @@
 #include "rays/SampleLines.h"
 
 #include "rays/Bins.h"
+#include "source/CompareCoordinates.h"
 #include "source/CornersAhead.h"
 
 #include <cmath>
@@ -27,8 +28,7 @@ class ProjectedTriangle
 {
 public:
   ProjectedTriangle(const Surface& surface, const Triangle& ids, int axis)
-    : ids_(ids)
-    , corners_{&surface.vertices[ids[0]], &surface.vertices[ids[1]], &surface.vertices[ids[2]]}
+    : corners_{&surface.vertices[ids[0]], &surface.vertices[ids[1]], &surface.vertices[ids[2]]}
     , axis_(axis)
     , u_((axis + 1) % 3)
     , v_((axis + 2) % 3)
@@ -53,7 +53,7 @@ public:
       const int j = (i + 1) % 3;
       if (areLow[i] != areLow[j])
       {
-        const bool isForward = ids_[i] < ids_[j];
+        const bool isForward = compareCoordinates(*corners_[i], *corners_[j]) < 0;
         const Eigen::Vector3d &from = *corners_[isForward ? i : j],
                               &to = *corners_[isForward ? j : i];
         const double side = (from[u_] - u) * (to[v_] - v) - (to[u_] - u) * (from[v_] - v);
@@ -99,7 +99,6 @@ public:
   }
 
 private:
-  const Triangle& ids_;
   const Eigen::Vector3d* corners_[3];
   int axis_, u_, v_;
 };
@@ -115,8 +114,7 @@ int axisOf(const SurfaceSample& sample)
 class BinnedLines
 {
 public:
-  BinnedLines(
-    const Surface& surface, const std::vector<SurfaceSample>& samples, const Bins& bins)
+  BinnedLines(const Surface& surface, const std::vector<SurfaceSample>& samples, const Bins& bins)
     : surface_(surface)
     , samples_(samples)
     , bins_(bins)
@@ -131,47 +129,51 @@ public:
     }
   }
 
-  /// Adds the lines that meet a triangle, whose corners are in a range of bins.
-  void addHits(std::size_t triangle, const BinBox& box, std::vector<Hit>& hits) const
+  /// Calls visit(line, projected) for each line that may meet a triangle, whose corners are in
+  /// a range of bins.
+  template <class Visit>
+  void forEachNear(std::size_t triangle, const BinBox& box, const Visit& visit) const
   {
     const int level = box.level();
     const int x = box.first(0), y = box.first(1), z = box.first(2);
     const std::uint64_t areNear[3] = {ofAxis_[0].areNear(z, y, level),
       ofAxis_[1].areNear(x, z, level), ofAxis_[2].areNear(y, x, level)};
-    if ((areNear[0] | areNear[1] | areNear[2]) != 0)
+    if ((areNear[0] | areNear[1] | areNear[2]) == 0)
     {
-      this->addHitsNear(triangle, box, areNear, hits);
+      return;
     }
-  }
-
-private:
-  void addHitsNear(std::size_t triangle, const BinBox& box, const std::uint64_t (&areNear)[3],
-    std::vector<Hit>& hits) const
-  {
     for (int axis = 0; axis < 3; ++axis)
     {
       if (areNear[axis] != 0)
       {
-        this->addHits(triangle, box, axis, hits);
+        this->forEachNear(triangle, box, axis, visit);
       }
     }
   }
 
-  void addHits(std::size_t triangle, const BinBox& box, int axis, std::vector<Hit>& hits) const
+  /// Adds the lines that meet a triangle, whose corners are in a range of bins.
+  void addHits(std::size_t triangle, const BinBox& box, std::vector<Hit>& hits) const
+  {
+    this->forEachNear(triangle, box,
+      [&](std::int32_t line, const ProjectedTriangle& projected)
+      {
+        const Eigen::Vector3d& place = samples_[static_cast<std::size_t>(line)].position;
+        const int winding = projected.windingRound(place);
+        if (winding != 0)
+        {
+          hits.push_back(
+            {line, static_cast<std::int32_t>(triangle), winding, projected.placeOn(place)});
+        }
+      });
+  }
+
+private:
+  template <class Visit>
+  void forEachNear(std::size_t triangle, const BinBox& box, int axis, const Visit& visit) const
   {
     const BinnedItems& lines = ofAxis_[static_cast<std::size_t>(axis)];
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const ProjectedTriangle projected(surface_, surface_.triangles[triangle], axis);
-    const auto visit = [&](std::int32_t line)
-    {
-      const Eigen::Vector3d& place = samples_[static_cast<std::size_t>(line)].position;
-      const int winding = projected.windingRound(place);
-      if (winding != 0)
-      {
-        hits.push_back(
-          {line, static_cast<std::int32_t>(triangle), winding, projected.placeOn(place)});
-      }
-    };
     constexpr int few = 3; // bins that need no closer look
     const bool isNarrow = box.last(u) - box.first(u) < few || box.last(v) - box.first(v) < few;
     for (int row = box.first(v); row <= box.last(v); ++row)
@@ -187,7 +189,7 @@ private:
       }
       if (first <= last)
       {
-        lines.forEach(row, first, last, visit);
+        lines.forEach(row, first, last, [&](std::int32_t line) { visit(line, projected); });
       }
     }
   }
@@ -207,8 +209,8 @@ std::ptrdiff_t sharedCorners(const Triangle& a, const Triangle& b)
 /// Returns the thickness of a wall whose other side, with a unit normal, a line along an axis meets
 /// after `distance`; infinity where that side does not look the other way. It is right for parallel
 /// sides, and at least 0.7 times as thick as a round rod.
-double thicknessOf(const Eigen::Vector3d& normal, const Eigen::Vector3d& otherNormal, int axis,
-  double distance)
+double thicknessOf(
+  const Eigen::Vector3d& normal, const Eigen::Vector3d& otherNormal, int axis, double distance)
 {
   constexpr double sideways = -0.1; // sides at right angles to each other are no wall
   const double cosine = normal.dot(otherNormal);
@@ -217,10 +219,36 @@ double thicknessOf(const Eigen::Vector3d& normal, const Eigen::Vector3d& otherNo
                            : std::numeric_limits<double>::infinity();
 }
 
+/// Returns the bins of a triangle.
+BinBox boxOf(const Bins& bins, const Surface& surface, std::size_t triangle)
+{
+  const Triangle& t = surface.triangles[triangle];
+  return Bins::boxOf(bins.binsOf(surface.vertices[t[0]]), bins.binsOf(surface.vertices[t[1]]),
+    bins.binsOf(surface.vertices[t[2]]));
+}
+
 } // namespace
 
+double affordableShare(
+  const Surface& surface, const std::vector<SurfaceSample>& samples, const SurfaceSamples& all)
+{
+  const Bins bins(all.box, all.extents);
+  const BinnedLines lines(surface, samples, bins);
+  double tests = 0;
+  for (const std::int32_t triangle : all.ordinary)
+  {
+    const auto i = static_cast<std::size_t>(triangle);
+    lines.forEachNear(
+      i, boxOf(bins, surface, i), [&](std::int32_t, const ProjectedTriangle&) { ++tests; });
+  }
+  const auto triangles = static_cast<double>(surface.triangles.size());
+  tests *= triangles / static_cast<double>(std::max<std::size_t>(all.ordinary.size(), 1));
+  const double most = 0x1p15 + triangles / 4;
+  return tests > most ? most / tests : 1;
+}
+
 std::vector<SampleLine> linesThrough(const Surface& surface,
-  const std::vector<SurfaceSample>& samples, const Eigen::Vector3d& extents, Executor& executor,
+  const std::vector<SurfaceSample>& samples, const SurfaceSamples& all, Executor& executor,
   const std::vector<std::int32_t>* some)
 {
   std::vector<SampleLine> result(samples.size());
@@ -228,7 +256,7 @@ std::vector<SampleLine> linesThrough(const Surface& surface,
   {
     return result;
   }
-  const Bins bins(surface.bounds, extents);
+  const Bins bins(all.box, all.extents);
   const BinnedLines lines(surface, samples, bins);
   UninitializedVector<std::uint32_t> ofVertex(some ? 0 : surface.vertices.size());
   forEachItem(
@@ -246,11 +274,7 @@ std::vector<SampleLine> linesThrough(const Surface& surface,
         if (some)
         {
           const auto number = static_cast<std::size_t>((*some)[i]);
-          const Triangle& t = surface.triangles[number];
-          lines.addHits(number,
-            Bins::boxOf(bins.binsOf(surface.vertices[t[0]]), bins.binsOf(surface.vertices[t[1]]),
-              bins.binsOf(surface.vertices[t[2]])),
-            ofBlocks[block]);
+          lines.addHits(number, boxOf(bins, surface, number), ofBlocks[block]);
           continue;
         }
         askForCornersAhead(ofVertex.data(), surface.triangles, i);
@@ -263,12 +287,7 @@ std::vector<SampleLine> linesThrough(const Surface& surface,
 
   const double atPoint = 0x1p-20 * surface.bounds.sizes().maxCoeff();
   const ChainView chain(surface);
-  struct Nearest
-  {
-    double distance = std::numeric_limits<double>::infinity();
-    std::int32_t triangle = -1;
-  };
-  std::vector<Nearest> behind(samples.size());
+  std::vector<double> nearest(samples.size(), std::numeric_limits<double>::infinity());
   for (const std::vector<Hit>& hits : ofBlocks)
   {
     for (const Hit& hit : hits)
@@ -298,18 +317,20 @@ std::vector<SampleLine> linesThrough(const Surface& surface,
       {
         line.behind -= times;
         ++line.facesBehind;
-        const Nearest other = {-ahead, hit.triangle};
-        behind[number] = other.distance < behind[number].distance ? other : behind[number];
+        if (-ahead > nearest[number] + atPoint)
+        {
+          continue;
+        }
+        // Where faces coincide, one that looks the other way ends the wall.
+        const double wall = thicknessOf(
+          sample.normal, unitNormalOf(surface, surface.triangles[hit.triangle]), axis, -ahead);
+        if (-ahead < nearest[number] - atPoint || wall < line.wall)
+        {
+          line.wall = wall;
+          line.wallTriangle = hit.triangle;
+        }
+        nearest[number] = std::min(nearest[number], -ahead);
       }
-    }
-  }
-  for (std::size_t i = 0; i < samples.size(); ++i)
-  {
-    if (behind[i].triangle >= 0)
-    {
-      result[i].wall = thicknessOf(samples[i].normal,
-        unitNormalOf(surface, surface.triangles[behind[i].triangle]), axisOf(samples[i]),
-        behind[i].distance);
     }
   }
   return result;

@@ -19,10 +19,11 @@ struct SampleLine
   int step = 0;   ///< times that the surface is there, less the times with the other sense
   bool isRepeated = false; ///< whether another triangle is there that shares an edge's corners
   int facesBefore = 0, facesBehind = 0; ///< triangles in either direction, whatever their sense
-  int times = 0; ///< times that these triangles are there, all together
-  /// The thickness of the wall behind the point, the distance to the next
-  /// triangle that looks the other way, taken as parallel or as the other side of a rod.
+  int times = 0;                        ///< times that these triangles are there, all together
+  /// The thickness of the wall behind the point, from the next triangle there, taken as parallel or
+  /// as the other side of a rod. It is infinite where that triangle looks the same way.
   double wall = std::numeric_limits<double>::infinity();
+  std::int32_t wallTriangle = -1; ///< the next triangle behind the point; −1 for none
 
   /// Returns whether both ends agree with each other.
   bool isClear() const { return behind == before + step; }
@@ -31,16 +32,22 @@ struct SampleLine
 /**
  * Finds what lines through some points of a surface meet. A line runs along the axis that is the
  * nearest to the normal. Triangles as near as 1e-6 times the longest side of the bounds are at the
- * point. `extents` are from SurfaceSamples.
+ * point. `all` are samples of the same surface.
  *
  * Lines meet no other triangles than `some`, where these are given. So a triangle is met with the
  * probability that it was chosen by.
  *
  * Crossings of closed chains cancel whatever the rounding, since triangles share the decision about
- * an edge. Takes 20 ns per triangle and 20 ns per crossing. Throws Interrupted.
+ * an edge. Takes 20 ns per triangle, and as long for each test of a line by a triangle in the same
+ * bins, which affordableShare() limits. Throws Interrupted.
  */
 std::vector<SampleLine> linesThrough(const Surface& surface,
-  const std::vector<SurfaceSample>& samples, const Eigen::Vector3d& extents, Executor& executor,
+  const std::vector<SurfaceSample>& samples, const SurfaceSamples& all, Executor& executor,
   const std::vector<std::int32_t>* some = nullptr);
+
+/// Returns the share of lines through `samples` that linesThrough() tests no more than n/4 + 2^15
+/// times by n triangles, as the ordinary triangles of `all` let expect.
+double affordableShare(
+  const Surface& surface, const std::vector<SurfaceSample>& samples, const SurfaceSamples& all);
 
 } // namespace winding

@@ -38,7 +38,8 @@ std::uint64_t bitsOf(double number)
 
 std::uint64_t hashOf(const Eigen::Vector3d& place)
 {
-  const std::uint64_t sum = bitsOf(place[0]) * 0x9e3779b97f4a7c15u +
+  // The first number keeps the origin from a hash of 0, which would always be chosen.
+  const std::uint64_t sum = 0x632be59bd9b4e019u + bitsOf(place[0]) * 0x9e3779b97f4a7c15u +
                             bitsOf(place[1]) * 0xbf58476d1ce4e5b9u +
                             bitsOf(place[2]) * 0x94d049bb133111ebu;
   return (sum ^ sum >> 32) * 0xd6e8feb86659fd93u;
@@ -138,7 +139,8 @@ void addPoints(const Surface& surface, std::size_t triangle, std::size_t count, 
   const Triangle& t = surface.triangles[triangle];
   Eigen::Vector3d corners[3] = {
     surface.vertices[t[0]], surface.vertices[t[1]], surface.vertices[t[2]]};
-  std::sort(corners, corners + 3, [](const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+  std::sort(corners, corners + 3,
+    [](const Eigen::Vector3d& a, const Eigen::Vector3d& b)
     { return compareCoordinates(a, b) < 0; });
   const Eigen::Vector3d normal = unitNormalOf(surface, t);
   const std::uint64_t hash = mixed(hashOf(surface, t));
@@ -173,45 +175,110 @@ Eigen::Vector3d unitNormalOf(const Surface& surface, const Triangle& t)
   return areaVectorOf(surface, t, unitScale(surface.bounds)).stableNormalized();
 }
 
-/// Returns the triangles with a corner that a hash chooses, each with the probability `share`.
-static std::vector<std::int32_t> trianglesAtChosenVertices(
-  const Surface& surface, double share, Executor& executor)
+namespace
 {
-  const double shareOfVertices = 1 - std::cbrt(1 - share);
+
+/// Returns whether a triangle reaches over an eighth of the surface's bounds along any axis.
+bool isLong(const Surface& surface, const Triangle& t)
+{
+  return (8 * extentsOf(surface, t).array() > surface.bounds.sizes().array()).any();
+}
+
+/// Chooses triangles with a corner that a hash chooses, each with the probability `shareOfSome`,
+/// and all long triangles if these are few.
+void chooseSome(const Surface& surface, SurfaceSamples& samples, Executor& executor)
+{
+  const double shareOfVertices = 1 - std::cbrt(1 - samples.shareOfSome);
   const auto limit = static_cast<std::uint64_t>(0x1p64 * shareOfVertices);
-  UninitializedVector<char> isChosen(surface.vertices.size());
+  // A bit for the choice, and a coarse bin along each axis.
+  constexpr std::uint16_t chosenBit = 1u << 15;
+  constexpr int bins = 32, mostSteps = 3; // a long triangle spans more
+  const Eigen::Vector3d sizes = surface.bounds.sizes();
+  Eigen::Vector3d perLength;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    perLength[axis] = sizes[axis] > 0 ? (1 - 1e-9) * bins / sizes[axis] : 0;
+  }
+  UninitializedVector<std::uint16_t> ofVertex(surface.vertices.size());
   forEachItem(
-    isChosen.size(),
+    ofVertex.size(),
     [&](std::size_t i)
     {
-      isChosen[i] = static_cast<char>(hashOf(surface.vertices[i]) < limit);
+      const Eigen::Vector3d& place = surface.vertices[i];
+      const Eigen::Vector3d at = (place - surface.bounds.min()).cwiseProduct(perLength);
+      ofVertex[i] = static_cast<std::uint16_t>(
+        static_cast<int>(at[0]) | static_cast<int>(at[1]) << 5 | static_cast<int>(at[2]) << 10 |
+        (hashOf(place) < limit ? chosenBit : 0));
     },
     executor);
+  const auto spansMuch = [](std::uint16_t a, std::uint16_t b, std::uint16_t c)
+  {
+    for (int shift = 0; shift < 15; shift += 5)
+    {
+      const int x = a >> shift & 31, y = b >> shift & 31, z = c >> shift & 31;
+      if (std::max({x, y, z}) - std::min({x, y, z}) > mostSteps)
+      {
+        return true;
+      }
+    }
+    return false;
+  };
   constexpr std::size_t perBlock = 16384;
   const std::size_t triangles = surface.triangles.size();
-  std::vector<UninitializedVector<std::int32_t>> ofBlocks((triangles + perBlock - 1) / perBlock);
+  struct Block
+  {
+    std::vector<std::int32_t> chosen, longAndChosen, longOnly;
+  };
+  std::vector<Block> blocks((triangles + perBlock - 1) / perBlock);
   runBlocks(
     triangles, perBlock,
-    [&](std::size_t block, std::size_t first, std::size_t last)
+    [&](std::size_t number, std::size_t first, std::size_t last)
     {
-      UninitializedVector<std::int32_t>& listed = ofBlocks[block];
-      listed.resize(last - first);
-      std::size_t count = 0;
+      Block& block = blocks[number];
       for (std::size_t i = first; i < last; ++i)
       {
         const Triangle& t = surface.triangles[i];
-        listed[count] = static_cast<std::int32_t>(i);
-        count += (isChosen[t[0]] | isChosen[t[1]] | isChosen[t[2]]) != 0;
+        const std::uint16_t a = ofVertex[t[0]], b = ofVertex[t[1]], c = ofVertex[t[2]];
+        const bool isChosen = ((a | b | c) & chosenBit) != 0;
+        const bool maySpan = ((a ^ b) & 0x7fff) != 0 || ((a ^ c) & 0x7fff) != 0;
+        if (maySpan && spansMuch(a, b, c) && isLong(surface, t))
+        {
+          (isChosen ? block.longAndChosen : block.longOnly).push_back(static_cast<std::int32_t>(i));
+        }
+        else if (isChosen)
+        {
+          block.chosen.push_back(static_cast<std::int32_t>(i));
+        }
       }
-      listed.resize(count);
     },
     executor);
-  std::vector<std::int32_t> result;
-  for (const UninitializedVector<std::int32_t>& listed : ofBlocks)
+  std::size_t longTriangles = 0;
+  for (const Block& block : blocks)
   {
-    result.insert(result.end(), listed.begin(), listed.end());
+    longTriangles += block.longAndChosen.size() + block.longOnly.size();
   }
-  return result;
+  constexpr std::size_t few = 4096;
+  samples.hasAllLong = longTriangles <= few;
+  const auto add = [&samples](const std::vector<std::int32_t>& listed)
+  {
+    samples.some.insert(samples.some.end(), listed.begin(), listed.end());
+  };
+  for (const Block& block : blocks)
+  {
+    add(block.chosen);
+    add(block.longAndChosen);
+    if (samples.hasAllLong)
+    {
+      add(block.longOnly);
+    }
+  }
+}
+
+} // namespace
+
+double SurfaceSamples::shareOf(const Surface& surface, std::int32_t triangle) const
+{
+  return hasAllLong && isLong(surface, surface.triangles[triangle]) ? 1 : shareOfSome;
 }
 
 SurfaceSamples sampleSurface(const Surface& surface, std::size_t most, Executor& executor)
@@ -219,19 +286,24 @@ SurfaceSamples sampleSurface(const Surface& surface, std::size_t most, Executor&
   SurfaceSamples result;
   const std::size_t all = surface.triangles.size();
   const std::size_t wanted = std::min(most, 64 + 16 * all);
-  constexpr std::size_t ordinary = 256; // triangles that sizes are taken from
+  constexpr std::size_t ordinary = 256;
   constexpr std::size_t perBlock = 16384;
   const double scale = unitScale(surface.bounds);
   // These are enough to meet the other sides of walls.
-  const double enough = 0x1p13 + static_cast<double>(all) / 16;
+  const double enough = 0x1p13 + static_cast<double>(all) / 32;
   if (enough < static_cast<double>(all))
   {
     result.shareOfSome = enough / static_cast<double>(all);
-    result.some = trianglesAtChosenVertices(surface, result.shareOfSome, executor);
+    chooseSome(surface, result, executor);
   }
   constexpr std::size_t large = 1 << 17;
   const bool areSome = all > large;
   const std::size_t triangles = areSome ? result.some.size() : all;
+  // Triangles that are not chosen with certainty represent others, too.
+  const auto timesOf = [&](const Triangle& t)
+  {
+    return areSome && !(result.hasAllLong && isLong(surface, t)) ? 1 / result.shareOfSome : 1;
+  };
   struct Block
   {
     Lowest lowest, ordinary;
@@ -251,16 +323,19 @@ SurfaceSamples sampleSurface(const Surface& surface, std::size_t most, Executor&
       for (std::size_t n = first; n < last; ++n)
       {
         const std::size_t i = areSome ? static_cast<std::size_t>(result.some[n]) : n;
-        askForCornersAhead(surface.vertices.data(), surface.triangles, i);
+        if (!areSome)
+        {
+          askForCornersAhead(surface.vertices.data(), surface.triangles, i);
+        }
         const Triangle& t = surface.triangles[i];
         const Eigen::Vector3d &a = surface.vertices[t[0]], &b = surface.vertices[t[1]],
                               &c = surface.vertices[t[2]];
         const double random = unitOf(hashOf(a, b, c));
         const double square = (scale * (b - a)).cross(scale * (c - a)).squaredNorm() / 4;
-        const double highest = block.lowest.limit();
+        const double highest = block.lowest.limit() * timesOf(t);
         if (random * random < highest * highest * square && square > 0)
         {
-          block.lowest.add(random / areaVectorOf(surface, t, scale).norm(), i);
+          block.lowest.add(random / (timesOf(t) * areaVectorOf(surface, t, scale).norm()), i);
         }
         if (random < block.ordinary.limit())
         {
@@ -283,29 +358,35 @@ SurfaceSamples sampleSurface(const Surface& surface, std::size_t most, Executor&
   std::sort(chosen.begin(), chosen.end());
   // Small triangles represent others of their size, which were not chosen.
   const double least = chosen.size() < wanted ? 0 : 1 / chosen.back().key;
-  const auto weightOf = [&](const Keyed& keyed)
-  {
-    const Triangle& t = surface.triangles[keyed.triangle];
-    return std::max(areaVectorOf(surface, t, scale).norm(), least);
-  };
+  std::vector<double> weights;
   double sum = 0;
   for (const Keyed& keyed : chosen)
   {
-    sum += weightOf(keyed);
+    const Triangle& t = surface.triangles[keyed.triangle];
+    weights.push_back(std::max(timesOf(t) * areaVectorOf(surface, t, scale).norm(), least));
+    sum += weights.back();
   }
-  for (const Keyed& keyed : chosen)
+  for (std::size_t i = 0; i < chosen.size(); ++i)
   {
-    const double weight = weightOf(keyed);
-    const double points = std::round(static_cast<double>(wanted) * weight / sum);
-    addPoints(surface, static_cast<std::size_t>(keyed.triangle),
-      static_cast<std::size_t>(std::max(1.0, points)), weight, result.points);
+    const double points = std::round(static_cast<double>(wanted) * weights[i] / sum);
+    addPoints(surface, static_cast<std::size_t>(chosen[i].triangle),
+      static_cast<std::size_t>(std::max(1.0, points)), weights[i], result.points);
   }
   std::vector<Keyed> ordinaries = lowestOrdinary.take();
   std::sort(ordinaries.begin(), ordinaries.end());
   for (const Keyed& keyed : ordinaries)
   {
-    result.extents += extentsOf(surface, surface.triangles[keyed.triangle]) /
-                      static_cast<double>(ordinaries.size());
+    const Triangle& t = surface.triangles[keyed.triangle];
+    result.ordinary.push_back(keyed.triangle);
+    result.extents += extentsOf(surface, t) / static_cast<double>(ordinaries.size());
+    for (const std::int32_t corner : t)
+    {
+      result.box.extend(surface.vertices[corner]);
+    }
+  }
+  if (result.box.isEmpty())
+  {
+    result.box = surface.bounds;
   }
   return result;
 }
@@ -332,11 +413,13 @@ std::vector<std::int32_t> chooseTriangles(
   Lowest lowest(most);
   for (const std::int32_t triangle : triangles)
   {
-    lowest.add(unitOf(hashOf(surface, surface.triangles[triangle])),
-      static_cast<std::size_t>(triangle));
+    lowest.add(
+      unitOf(hashOf(surface, surface.triangles[triangle])), static_cast<std::size_t>(triangle));
   }
+  std::vector<Keyed> chosen = lowest.take();
+  std::sort(chosen.begin(), chosen.end());
   triangles.clear();
-  for (const Keyed& keyed : lowest.take())
+  for (const Keyed& keyed : chosen)
   {
     triangles.push_back(keyed.triangle);
   }

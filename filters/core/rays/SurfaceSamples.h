@@ -20,18 +20,24 @@ struct SurfaceSample
   std::int32_t triangle;
   double weight; ///< area that it stands for, in any unit
   Eigen::Vector3d position;
-  Eigen::Vector3d normal;   ///< of unit length
+  Eigen::Vector3d normal; ///< of unit length
 };
 
-/// Points that stand for a surface.
+/// Points and triangles that represent a surface.
 struct SurfaceSamples
 {
-  std::vector<SurfaceSample> points; ///< spread over the area
-  Eigen::Vector3d extents = Eigen::Vector3d::Zero(); ///< of triangles on average
-  /// Triangles that stand for all, each chosen with the probability `shareOfSome`, and none where
-  /// that is 1.
+  std::vector<SurfaceSample> points;  ///< spread over the area
+  std::vector<std::int32_t> ordinary; ///< about 256 triangles, chosen evenly by number
+  Eigen::Vector3d extents = Eigen::Vector3d::Zero(); ///< of ordinary triangles on average
+  Bounds box; ///< of ordinary triangles, where most others are
+  /// Triangles that represent all, and none where `shareOfSome` is 1. Long ones are all there
+  /// unless they are many, and others are chosen with the probability `shareOfSome`.
   std::vector<std::int32_t> some;
   double shareOfSome = 1;
+  bool hasAllLong = false;
+
+  /// Returns the probability that a triangle was chosen.
+  double shareOf(const Surface& surface, std::int32_t triangle) const;
 };
 
 /**
@@ -41,7 +47,8 @@ struct SurfaceSamples
  * Triangles are chosen by priority sampling (Duffield, Lund and Thorup 2007): each has the priority
  * area / u, with u between 0 and 1 from a hash of its corners, and the highest are taken. So the
  * points depend on the set of triangles alone, neither on their order nor on threads. Triangles
- * without area have none. Takes linear time, 10 ns per triangle. Throws Interrupted.
+ * without area have none. Of more than 131 072 triangles only SurfaceSamples::some can be chosen.
+ * Takes linear time, 10 ns per triangle. Throws Interrupted.
  */
 SurfaceSamples sampleSurface(const Surface& surface, std::size_t most, Executor& executor);
 
@@ -52,7 +59,7 @@ Eigen::Vector3d unitNormalOf(const Surface& surface, const Triangle& t);
 std::vector<SurfaceSample> sampleTriangles(
   const Surface& surface, const std::vector<std::int32_t>& triangles);
 
-/// Returns the numbers of about `most` triangles among `triangles`, which their corners choose.
+/// Returns about `most` of some triangles, in an order that their corners decide.
 std::vector<std::int32_t> chooseTriangles(
   const Surface& surface, std::vector<std::int32_t> triangles, std::size_t most);
 

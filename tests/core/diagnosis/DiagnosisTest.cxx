@@ -107,8 +107,7 @@ TEST(Diagnosis, FindsFacesThatAreThereTwice)
     "every face is there with both senses; nothing is left of them\n");
   EXPECT_EQ(faultsOf(withAgain(ball, 0, 1280, false)), fault + "1280 of 2560 triangles\n")
     << "a whole solid is there twice";
-  const std::string ofSome = faultsOf(withAgain(ball, 0, 400, true));
-  EXPECT_EQ(ofSome.rfind(fault + "about ", 0), 0u) << ofSome;
+  EXPECT_EQ(faultsOf(withAgain(ball, 0, 400, true)), fault + "400 of 1680 triangles\n");
   // Walls between solids that touch cancel, as they should.
   const Mesh stack = cube().with(moved(cube(), {0, 0, 1})).with(moved(cube(), {0, 0, 2}));
   EXPECT_EQ(faultsOf(stack), "");
@@ -116,9 +115,25 @@ TEST(Diagnosis, FindsFacesThatAreThereTwice)
   const Mesh core = cube({0.3, 0.3, 0.3}, {0.7, 0.7, 0.7});
   EXPECT_EQ(faultsOf(cube().with(core.reversed()).with(core)), "");
   // Bars that overlap and share faces have w = 2 where they do.
-  const Mesh bars = surfaceOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}})
-                      .with(surfaceOf({{1, 0, 0}, {1, 1, 0}, {1, 2, 0}}));
+  const Mesh bars =
+    surfaceOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}).with(surfaceOf({{1, 0, 0}, {1, 1, 0}, {1, 2, 0}}));
   EXPECT_EQ(faultsOf(bars), "");
+}
+
+TEST(Diagnosis, FindsManySingleFacesWithBothSenses)
+{
+  Mesh confetti;
+  for (int i = 0; i < 800; ++i)
+  {
+    const auto first = static_cast<std::int32_t>(confetti.points.size());
+    for (const Point& corner : {Point(0, 0, 0), Point(0.3, 0.1, 0), Point(0, 0.2, 0.4)})
+    {
+      confetti.points.push_back(corner + Point(i % 10, i / 10 % 10, i / 100));
+    }
+    confetti.triangles.push_back({first, first + 1, first + 2});
+  }
+  EXPECT_EQ(faultsOf(withAgain(confetti, 0, 800, true)),
+    "every face is there with both senses; nothing is left of them\n");
 }
 
 TEST(Diagnosis, FindsFacesThatContradictEachOther)
@@ -181,9 +196,8 @@ TEST(Diagnosis, FindsPartsThatLookInward)
   };
   EXPECT_TRUE(looksInward(large.with(small.reversed()), 1)) << "small parts are meant";
   EXPECT_FALSE(looksInward(large.with(small), 1)) << "pockets are not";
-  EXPECT_FALSE(looksInward(large.with(large.mapped([](const Point& p) { return Point(p / 2); })
-                                        .reversed()),
-    1))
+  EXPECT_FALSE(looksInward(
+    large.with(large.mapped([](const Point& p) { return Point(p / 2); }).reversed()), 1))
     << "a cavity looks inward";
   // An open source looks inward if most of a part does.
   EXPECT_TRUE(looksInward(large.part(0, 5000).reversed(), 1000));

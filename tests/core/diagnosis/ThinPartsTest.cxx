@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -40,8 +41,7 @@ std::optional<ThinParts> thinPartsOn(const Mesh& mesh, const Grid& grid, double 
   output.threshold = threshold;
   field->evaluate(grid, extent, output, serial);
   return field->diagnosis().thinParts(
-    grid,
-    [&](int i, int j, int k) { return inside[winding::sampleNumber(extent, i, j, k)] != 0; },
+    grid, [&](int i, int j, int k) { return inside[winding::sampleNumber(extent, i, j, k)] != 0; },
     InsideRule::signedThreshold, threshold, serial);
 }
 
@@ -110,6 +110,23 @@ TEST(ThinParts, AreNoneOfSolidsThatAreThickEnough)
     const auto parts = thinPartsOn(solid, gridAround(solid, 24));
     ASSERT_TRUE(parts);
     EXPECT_FALSE(parts->areWorthTelling()) << parts->thinShare; // measured: 0
+  }
+}
+
+TEST(ThinParts, OfFewLargeTrianglesAreLostAmongManySmallOnes)
+{
+  // The plate has 12 triangles and the ball 81 920, or 327 680 of which not all are looked at.
+  for (const int level : {6, 7})
+  {
+    SCOPED_TRACE(level);
+    const Mesh ball =
+      icosphere(level).mapped([](const Point& p) { return Point(p + Point(4, 4, 4)); });
+    const Mesh plate = cube({0.03, 0.05, 0.07}, {9.7, 9.9, 0.13});
+    const auto parts = thinPartsOn(plate.with(ball), gridAround(plate.with(ball), 40));
+    ASSERT_TRUE(parts);
+    EXPECT_TRUE(parts->areWorthTelling());
+    // The plate has 94 % of the area. Measured 93 and 94 %.
+    EXPECT_GT(std::max(parts->lostShare, parts->thinShare), 0.8);
   }
 }
 

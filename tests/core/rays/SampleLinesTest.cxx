@@ -32,7 +32,7 @@ SurfaceSamples samplesOf(const Surface& surface, std::size_t most = 256)
 std::vector<SampleLine> linesOf(const Surface& surface, const SurfaceSamples& samples)
 {
   winding::SerialExecutor serial;
-  return linesThrough(surface, samples.points, samples.extents, serial);
+  return linesThrough(surface, samples.points, samples, serial);
 }
 
 /// A ball with a dent and a bump, of 20 · 4^levels triangles.
