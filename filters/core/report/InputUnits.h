@@ -22,10 +22,9 @@ struct NamedBounds
 /**
  * Returns a warning of two inputs that seem to be in different units; none where all fit.
  *
- * One box has the sides of the other one times 10, 25.4, 100, 304.8 or 1000. They may differ by 1 %
- * of the longest side. Places do not matter, and neither does a uniform scale of all coordinates.
- * The smaller input is named, for nothing says which of the two is wrong. A body in a far field of
- * its own proportions has such a ratio by chance.
+ * One box has the sides of the other one times 25.4, 304.8 or 1000. They may differ by 1 % of the
+ * longest side. Places do not matter, and neither does a uniform scale of all coordinates.
+ * The smaller input is named, for nothing says which of the two is wrong.
  */
 std::optional<Message> unitAdvice(const std::vector<NamedBounds>& inputs);
 
