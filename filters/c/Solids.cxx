@@ -2,18 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evaluation.h"
 #include "Handles.h"
-#include "diagnosis/Diagnosis.h"
-#include "diagnosis/GridAdvice.h"
-#include "field/FieldVolume.h"
 #include "messages/PropertyChecks.h"
-#include "report/InputUnits.h"
-#include "report/LabelAdvice.h"
 #include "source/Sanitize.h"
 #include "surface/OpenParts.h"
 #include "surface/Orientation.h"
 #include "surface/SolidParts.h"
-#include "voxels/LabelMerge.h"
-#include "voxels/SolidEvaluation.h"
+#include "tasks/LabelTask.h"
 
 using namespace winding::c;
 using winding::Field;
@@ -37,15 +31,18 @@ winding_labels noLabels()
   return labels;
 }
 
-winding::SolidEvaluationOptions evaluationOptions(
-  const winding_rule& rule, const winding_label_options& wished)
+winding::LabelOptions optionsOf(const winding_rule* rule, const winding_label_options& wished)
 {
-  winding::SolidEvaluationOptions options;
+  winding::checkProperty(winding::Parameter::overlapRule, wished.overlap_rule);
+  winding::checkProperty(winding::Parameter::coverage, wished.coverage);
+  winding::checkProperty(winding::Parameter::coverageSamples, wished.coverage_samples);
+  const winding::InsideTest isInside = insideTestOf(rule);
+  winding::LabelOptions options;
+  options.overlapRule = static_cast<winding::OverlapRule>(wished.overlap_rule);
   options.voxels.coverage = static_cast<winding::Coverage>(wished.coverage);
   options.voxels.samplesPerAxis = wished.coverage_samples;
-  options.voxels.output.rule = ruleOf(rule);
-  options.voxels.output.threshold = rule.winding_threshold;
-  options.withValues = wished.overlap_rule == WINDING_OVERLAP_RULE_LARGEST;
+  options.voxels.output.rule = isInside.rule;
+  options.voxels.output.threshold = isInside.threshold;
   return options;
 }
 
@@ -92,102 +89,50 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
   return guarded(run, refusal,
     [&]
     {
-      constexpr std::size_t most = 65535;
-      if (count > most)
+      if (count > winding::largestLabel)
       {
         throw Misuse("count exceeds 65535");
       }
       const Grid samples = gridOf(grid);
-      const winding_rule inside = known(rule, defaultRule());
       const winding_label_options wished = known(options, defaultLabelOptions());
-      winding::checkProperty(winding::Parameter::overlapRule, wished.overlap_rule);
-      winding::checkProperty(winding::Parameter::coverage, wished.coverage);
-      winding::checkProperty(winding::Parameter::coverageSamples, wished.coverage_samples);
+      const winding::LabelOptions rules = optionsOf(rule, wished);
       const winding::Extent part = extentOf(samples, extent);
-      const bool isWhole = part == samples.wholeExtent();
       const std::size_t voxels = winding::sampleCount(part);
       Call call(run);
       const winding_labels given = known(&required(labels, "labels"), noLabels());
       winding::LabelArrays arrays = arraysOf(given, part, wished.coverage);
       std::vector<float> best(wished.overlap_rule == WINDING_OVERLAP_RULE_LARGEST ? voxels : 0);
       arrays.best = best.empty() ? nullptr : best.data();
-      const winding::InsideRule insideRule = ruleOf(inside);
-      const winding::LabelSampling sampling = {
-        samples, insideRule, inside.winding_threshold, wished.coverage == WINDING_COVERAGE_CENTER};
-      winding::LabelMerge merge(arrays, static_cast<winding::OverlapRule>(wished.overlap_rule),
-        insideRule == winding::InsideRule::absoluteThreshold, call.executor);
-      winding::SolidEvaluation evaluation(evaluationOptions(inside, wished));
       winding::LabelFacts facts;
-      std::vector<winding::NamedBounds> bounds;
-      std::vector<char> hasVoxels(count, 0);
-      const auto labelOf = [&](std::size_t i)
-      {
-        return static_cast<unsigned short>(numbers ? numbers[i] : i + 1);
-      };
-      const auto nameOf = [&](std::size_t i)
-      {
-        const char* const name = given.names ? given.names[i] : nullptr;
-        return name ? std::string(name) : std::to_string(labelOf(i));
-      };
+      facts.expected = count;
+      winding::LabelTask task(samples, arrays, rules, facts, call.run);
       const auto addSolid = [&](std::size_t i)
       {
-        const winding_field& handle = required(fields ? fields[i] : nullptr, "a field");
-        const Field& field = *handle.field;
-        const unsigned short number = labelOf(i);
-        if (number == 0)
+        const Field& field = *required(fields ? fields[i] : nullptr, "a field").field;
+        winding::LabeledSolid solid;
+        solid.label = static_cast<unsigned short>(numbers ? numbers[i] : i + 1);
+        if (solid.label == 0)
         {
           throw Misuse("a number of numbers is 0");
         }
-        bounds.push_back({nameOf(i), field.info().bounds});
+        const char* const name = given.names ? given.names[i] : nullptr;
+        solid.name = name ? std::string(name) : std::to_string(solid.label);
+        solid.isOpenPart = given.are_open && given.are_open[i] != 0;
+        solid.shares = given.shares ? given.shares[i] : nullptr;
+        if (solid.shares)
+        {
+          std::fill_n(solid.shares, voxels, 0.0F);
+        }
+        winding::FieldInfo info = field.info();
+        info.warnings.clear(); // they came with the field
         const auto all = static_cast<double>(count);
         call.executor.setShare(static_cast<double>(i) / all, static_cast<double>(i + 1) / all);
-        const winding::SolidSize size = wished.overlap_rule == WINDING_OVERLAP_RULE_SMALLEST
-                                          ? winding::sizeOf(field)
-                                          : winding::SolidSize();
-        float* const shares = given.shares ? given.shares[i] : nullptr;
-        if (shares)
-        {
-          std::fill_n(shares, voxels, 0.0F);
-        }
-        merge.begin(number, size, shares);
-        winding::SideTally sides;
-        evaluation.run(field, samples, part, merge, &sides, call.executor);
-        hasVoxels[i] = merge.hasInside();
-        facts.source.bounds.extend(field.info().bounds);
-        facts.source.primitives += field.info().primitives;
-        if (!isWhole || field.info().primitives == 0)
-        {
-          return;
-        }
-        const double end = static_cast<double>(i + 1) / all;
-        call.executor.setShare(end, end);
-        const bool isInward = field.diagnosis()
-                                .facing(sides.counts(voxels), insideRule, inside.winding_threshold,
-                                  call.executor)
-                                .looksInward;
-        if (isInward)
-        {
-          (hasVoxels[i] ? facts.partlyInsideOut : facts.insideOut).add(nameOf(i));
-        }
-        else if (hasVoxels[i])
-        {
-          const auto hasLabel = [&arrays](int x, int y, int z)
-          {
-            return arrays.labels[winding::sampleNumber(arrays.extent, x, y, z)] != 0;
-          };
-          winding::countThinParts(field, hasLabel, sampling, nameOf(i), call.executor, facts);
-        }
-        else if (!(given.are_open && given.are_open[i] != 0) &&
-                 !field.diagnosis().hasNoSides(call.executor))
-        {
-          const bool isMissed = winding::missesSource(samples, field.info().bounds);
-          (isMissed ? facts.missed : facts.thin).add(nameOf(i));
-        }
+        task.add(field, info, solid, call.run);
       };
       if (count > 0)
       {
-        const winding_field& first = required(fields ? fields[0] : nullptr, "a field");
-        evaluateInTime(*first.field, count * voxels, call,
+        const Field& first = *required(fields ? fields[0] : nullptr, "a field").field;
+        evaluateInTime(first, count * voxels, call,
           [&]
           {
             for (std::size_t i = 0; i < count; ++i)
@@ -196,31 +141,7 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
             }
           });
       }
-      if (isWhole)
-      {
-        std::vector<char> isShown(most + 1, 0);
-        std::for_each(arrays.labels, arrays.labels + voxels,
-          [&isShown](unsigned short label) { isShown[label] = 1; });
-        for (std::size_t i = 0; i < count; ++i)
-        {
-          if (hasVoxels[i] && !isShown[labelOf(i)])
-          {
-            facts.hidden.add(nameOf(i));
-          }
-        }
-      }
-      const auto units = winding::unitAdvice(bounds);
-      if (units && isWhole && !wished.have_one_unit)
-      {
-        call.warn(*units);
-      }
-      if (isWhole)
-      {
-        for (const winding::Message& advice : winding::labelAdvice(facts, count, sampling))
-        {
-          call.warn(advice);
-        }
-      }
+      task.warn(wished.have_one_unit != 0, call.run);
     });
 }
 

@@ -812,8 +812,9 @@ extern "C"
    * @param run null for the defaults
    * @param refusal receives why the call was refused, unless it is null
    *
-   * Warns, for the whole grid only, of solids without a label, as a whole or in part, and of a
-   * solid that seems to be in another unit than another one, as inches are next to millimetres.
+   * Warns of solids that are empty, have holes or seem to be in another unit than another one, as
+   * inches are next to millimetres, and for the whole grid of solids without a label, as a whole or
+   * in part.
    */
   WINDING_API winding_status winding_label(const winding_field* const* fields,
     const uint16_t* numbers, size_t count, const winding_grid* grid, const int32_t* extent,

@@ -3,12 +3,9 @@
 #include "vtkWindingNumberLabels.h"
 
 #include "base/Refusal.h"
-#include "diagnosis/Diagnosis.h"
-#include "diagnosis/GridAdvice.h"
-#include "field/FieldVolume.h"
+#include "field/Field.h"
 #include "messages/Options.h"
 #include "messages/PropertyChecks.h"
-#include "pipeline/FreeMemory.h"
 #include "pipeline/SmpExecutor.h"
 #include "private/output/LabelImage.h"
 #include "private/output/TimeUnion.h"
@@ -17,14 +14,9 @@
 #include "private/source/SolidBlocks.h"
 #include "private/source/Solids.h"
 #include "private/source/SourceProperties.h"
-#include "report/InputUnits.h"
-#include "report/LabelAdvice.h"
 #include "report/Verify.h"
 #include "source/Grid.h"
-#include "surface/OpenParts.h"
-#include "voxels/LabelMerge.h"
-#include "voxels/SolidEvaluation.h"
-#include "voxels/VoxelEvaluation.h"
+#include "tasks/LabelTask.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -189,18 +181,13 @@ winding::LabelImageOptions vtkWindingNumberLabels::GetImageOptions(std::size_t s
   return options;
 }
 
-winding::SolidEvaluationOptions vtkWindingNumberLabels::GetEvaluationOptions() const
+winding::LabelOptions vtkWindingNumberLabels::GetLabelOptions() const
 {
-  winding::SolidEvaluationOptions options;
+  winding::LabelOptions options;
   options.voxels = this->GetVoxelEvaluation();
   options.voxels.output.rule = winding::coreInsideRule(this->InsideRule);
   options.voxels.output.threshold = this->WindingThreshold;
-  options.withValues = this->OverlapRule == LARGEST_WINDING_NUMBER;
-  options.checkMemory = [](double bytes, std::size_t voxels)
-  {
-    winding::refuseBeyondFreeMemory(bytes, "the coverage of " + std::to_string(voxels) + " voxels",
-      {winding::largerVoxels(), winding::inPieces()});
-  };
+  options.overlapRule = static_cast<winding::OverlapRule>(this->OverlapRule);
   return options;
 }
 
@@ -208,74 +195,7 @@ double vtkWindingNumberLabels::GetResultBytes(vtkIdType samples) const
 {
   const winding::LabelImageOptions image = this->GetImageOptions(this->Facts->expected);
   return winding::bytesPerSample(image) * static_cast<double>(samples) +
-         winding::SolidEvaluation::bytes(
-           this->GetEvaluationOptions(), static_cast<std::size_t>(samples));
-}
-
-/// The field of a solid, which Facts count from then on.
-const winding::Field& vtkWindingNumberLabels::PrepareSolid(
-  const winding::Solids& solids, std::size_t number)
-{
-  const std::string& name = solids.name(number);
-  const winding::Field& field = this->PrepareGridFieldOf(solids.source(number), name);
-  this->Facts->add(
-    this->vtkWindingNumberGridAlgorithm::GetSourceInfo(), name, solids.isOpenPart(number));
-  return field;
-}
-
-/// Counts a solid that looks inward: as a whole, or in part if it has samples inside. Returns
-/// whether it does.
-bool vtkWindingNumberLabels::CountInward(const winding::Field& field,
-  const winding::SideCounts& sides, bool hasInside, const std::string& name)
-{
-  winding::SmpExecutor executor(this, this->NumberOfThreads);
-  executor.setShare(1, 1);
-  const bool isInward = field.diagnosis()
-                          .facing(sides, winding::coreInsideRule(this->InsideRule),
-                            this->WindingThreshold, executor)
-                          .looksInward;
-  if (isInward)
-  {
-    (hasInside ? this->Facts->partlyInsideOut : this->Facts->insideOut).add(name);
-  }
-  return isInward;
-}
-
-winding::LabelSampling vtkWindingNumberLabels::GetLabelSampling() const
-{
-  return {this->GetSampling(), winding::coreInsideRule(this->InsideRule), this->WindingThreshold,
-    this->MayTouchVoxels()};
-}
-
-/// Counts a solid if parts of it are lost between voxels, which have no label there.
-void vtkWindingNumberLabels::LookForThinParts(
-  const winding::Field& field, const winding::LabelImage& labels, const std::string& name)
-{
-  winding::SmpExecutor executor(this, this->NumberOfThreads);
-  executor.setShare(1, 1);
-  const winding::LabelArrays& arrays = labels.arrays();
-  const auto hasLabel = [&arrays](int i, int j, int k)
-  {
-    return arrays.labels[winding::sampleNumber(arrays.extent, i, j, k)] != 0;
-  };
-  winding::countThinParts(field, hasLabel, this->GetLabelSampling(), name, executor, *this->Facts);
-}
-
-/// Counts the solids that have voxels inside, but none with their label.
-void vtkWindingNumberLabels::CountHidden(const winding::Solids& solids,
-  const std::vector<char>& hasVoxels, const winding::LabelImage& labels)
-{
-  std::vector<char> isShown(winding::largestLabel + 1, 0);
-  const winding::LabelArrays& arrays = labels.arrays();
-  std::for_each(arrays.labels, arrays.labels + winding::sampleCount(arrays.extent),
-    [&isShown](unsigned short label) { isShown[label] = 1; });
-  for (std::size_t i = 0; i < solids.size(); ++i)
-  {
-    if (hasVoxels[i] && !isShown[solids.label(i)])
-    {
-      this->Facts->hidden.add(solids.name(i));
-    }
-  }
+         winding::LabelTask::bytes(this->GetLabelOptions(), static_cast<std::size_t>(samples));
 }
 
 void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const winding::Extent& samples,
@@ -326,15 +246,11 @@ void vtkWindingNumberLabels::UniteTimes(vtkImageData* all, vtkImageData* other)
 
 void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding::LabelImage& labels)
 {
-  const winding::Grid& grid = this->GetSampling();
   const winding::Extent& extent = labels.arrays().extent;
-  const bool isWhole = extent == grid.wholeExtent();
-  const bool looksInside = isWhole && this->InsideRule == SIGNED;
-  std::vector<char> hasVoxels(solids.size(), 0);
   winding::SmpExecutor executor(this, this->NumberOfThreads);
-  winding::LabelMerge merge(labels.arrays(), static_cast<winding::OverlapRule>(this->OverlapRule),
-    this->InsideRule == ABSOLUTE, executor);
-  winding::SolidEvaluation evaluation(this->GetEvaluationOptions());
+  winding::Run run = this->MakeRun(executor);
+  winding::LabelTask task(
+    this->GetSampling(), labels.arrays(), this->GetLabelOptions(), *this->Facts, run);
   double prepareSeconds = 0, evaluateSeconds = 0;
   vtkIdType memory = 0;
   const double earlierSeconds = this->EarlierSeconds;
@@ -345,45 +261,25 @@ void vtkWindingNumberLabels::MergeSolids(const winding::Solids& solids, winding:
   {
     // Progress is a share of all solids, of this time or of the request.
     this->SetProgressShiftScale(shift + static_cast<double>(i) / all * scale, scale / all);
-    const winding::Field& field = this->PrepareSolid(solids, i);
+    const winding::Field& field = this->PrepareGridFieldOf(solids.source(i), solids.name(i));
+    const winding::FieldInfo& info = this->vtkWindingNumberGridAlgorithm::GetSourceInfo();
     prepareSeconds += this->PrepareSeconds;
     memory = std::max(memory, this->ExpectedMemory);
     this->Evaluate(field, static_cast<vtkIdType>(winding::sampleCount(extent)), executor,
       [&]
       {
-        merge.begin(solids.label(i),
-          this->OverlapRule == SMALLEST_VOLUME ? winding::sizeOf(field) : winding::SolidSize(),
-          labels.addSharesOf(solids.label(i)));
         executor.setShare(0, 1);
-        winding::SideTally sides;
-        evaluation.run(field, grid, extent, merge, looksInside ? &sides : nullptr, executor);
-        const bool hasInside = merge.hasInside();
-        const bool isInward =
-          looksInside && this->CountInward(field, sides.counts(winding::sampleCount(extent)),
-                           hasInside, solids.name(i));
-        if (isWhole && field.info().primitives > 0)
-        {
-          hasVoxels[i] = hasInside;
-          if (!hasInside && !isInward && !solids.isOpenPart(i) &&
-              !field.diagnosis().hasNoSides(executor))
-          {
-            const bool isMissed = winding::missesSource(grid, field.info().bounds);
-            (isMissed ? this->Facts->missed : this->Facts->thin).add(solids.name(i));
-          }
-          else if (hasInside && !isInward)
-          {
-            this->LookForThinParts(field, labels, solids.name(i));
-          }
-        }
+        task.add(field, info,
+          {solids.label(i), solids.name(i), solids.isOpenPart(i),
+            labels.addSharesOf(solids.label(i))},
+          run);
       });
     this->EarlierSeconds = this->TakenSeconds;
     evaluateSeconds += this->EvaluateSeconds;
     this->VerifyAnother(field, extent);
   }
-  if (isWhole)
-  {
-    this->CountHidden(solids, hasVoxels, labels);
-  }
+  // Regions and blocks of one data set have one unit.
+  task.warn(this->GetNumberOfInputConnections(0) < 2, run);
   this->PrepareSeconds = prepareSeconds;
   this->EvaluateSeconds = evaluateSeconds;
   this->ExpectedMemory = memory;
@@ -410,36 +306,6 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
 {
   const winding::LabelFacts& facts = *this->Facts;
   const std::size_t count = solids.size();
-  if (count == 0 || facts.empty.count() == count)
-  {
-    vtkWarningMacro(<< "there is no solid, so all labels are 0: give a surface or points");
-  }
-  else if (facts.empty.count() > 0)
-  {
-    vtkWarningMacro(<< "no voxel has the labels of empty blocks: leave them out; "
-                    << facts.empty.outOf(count));
-  }
-  // Regions and blocks of one data set have one unit.
-  const auto units = winding::unitAdvice(facts.bounds);
-  if (units && this->GetNumberOfInputConnections(0) > 1)
-  {
-    vtkWarningMacro(<< winding::lineOf(*units));
-  }
-  if (facts.openParts.count() > 0)
-  {
-    vtkWarningMacro(<< winding::lineOf(winding::openPartsAdvice(
-                      "they bound nothing; " + facts.openParts.outOf(count))));
-  }
-  if (facts.open.count() > 0)
-  {
-    vtkWarningMacro(<< "some solids have holes: close them where labels are not right; "
-                    << facts.open.outOf(count));
-  }
-  for (const winding::Message& advice :
-    winding::labelAdvice(facts, count, this->GetLabelSampling()))
-  {
-    vtkWarningMacro(<< winding::lineOf(advice));
-  }
   if (facts.warned.count() > 0)
   {
     vtkWarningMacro(<< winding::lineOf(facts.warnings) << " (" << facts.warned.outOf(count) << ")");

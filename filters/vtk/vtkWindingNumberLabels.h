@@ -71,17 +71,14 @@
 #include <cstddef> // for std::size_t
 #include <map>     // for the names of inputs
 #include <string>  // for the names of solids
-#include <vector>  // for solids that have voxels
 
 namespace winding
 {
 class LabelImage;
 class Solids;
 struct LabelFacts;
-struct SideCounts;
-struct LabelSampling;
 struct LabelImageOptions;
-struct SolidEvaluationOptions;
+struct LabelOptions;
 } // namespace winding
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -215,16 +212,8 @@ protected:
 
 private:
   winding::LabelImageOptions GetImageOptions(std::size_t solids) const;
-  winding::SolidEvaluationOptions GetEvaluationOptions() const;
-  const winding::Field& PrepareSolid(const winding::Solids& solids, std::size_t number);
+  winding::LabelOptions GetLabelOptions() const;
   void MergeSolids(const winding::Solids& solids, winding::LabelImage& labels);
-  winding::LabelSampling GetLabelSampling() const;
-  void LookForThinParts(
-    const winding::Field& field, const winding::LabelImage& labels, const std::string& name);
-  bool CountInward(const winding::Field& field, const winding::SideCounts& sides, bool hasInside,
-    const std::string& name);
-  void CountHidden(const winding::Solids& solids, const std::vector<char>& hasVoxels,
-    const winding::LabelImage& labels);
   void DescribeSolids(const winding::Solids& solids, vtkImageData* image);
   void WarnOfSolids(const winding::Solids& solids);
 

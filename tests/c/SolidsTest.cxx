@@ -153,11 +153,13 @@ TEST(Labels, OfOpenPartsNeedNoVoxel)
       WINDING_OK);
     return told.texts;
   };
-  ASSERT_EQ(warnings().size(), 1u);
-  EXPECT_EQ(warnings()[0].rfind("some solids have no voxel inside", 0), 0u) << warnings()[0];
+  ASSERT_EQ(warnings().size(), 2u);
+  EXPECT_EQ(warnings()[0].rfind("some solids have holes", 0), 0u) << warnings()[0];
+  EXPECT_EQ(warnings()[1].rfind("some solids have no voxel inside", 0), 0u) << warnings()[1];
   const std::uint8_t areOpen[] = {0, 1};
   arrays.are_open = areOpen;
-  EXPECT_EQ(warnings().size(), 0u);
+  ASSERT_EQ(warnings().size(), 1u);
+  EXPECT_EQ(warnings()[0].rfind("open parts lie inside of closed ones", 0), 0u) << warnings()[0];
 }
 
 TEST(Labels, ThatAreMissingInPartAreTold)

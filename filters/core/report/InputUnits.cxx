@@ -12,8 +12,8 @@ namespace
 
 constexpr std::size_t mostInputs = 1000; // whose pairs are compared within 40 ms
 constexpr double tolerance = 0.01;       // of the longest side
-/// Millimetres in an inch, a foot and a metre. A box 10 or 100 times as large as another one is more
-/// often a far field than in another unit.
+/// Millimetres in an inch, a foot and a metre. A box 10 or 100 times as large as another one is
+/// more often a far field than in another unit.
 constexpr double ratios[] = {25.4, 304.8, 1000};
 
 /// Returns whether a box is as large as another one times a ratio, along all axes.

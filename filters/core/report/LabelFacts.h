@@ -60,7 +60,6 @@ struct LabelFacts
   NamedSolids thin;                ///< others without a voxel inside, which do not look inward
   NamedSolids lostInPart;          ///< those with parts that are thinner than a voxel
   ThinParts largestLoss;           ///< of these, the one with the largest share
-  NamedSolids hidden;              ///< those whose voxels all have other labels
   NamedSolids partlyInsideOut;     ///< those where w is negative in part, and something is inside
   NamedSolids warned;              ///< those with a warning
   std::vector<Message> warnings;   ///< of the first solid that has some

@@ -13,6 +13,9 @@ namespace winding
 
 class Executor;
 
+/// The largest label, and so the largest number of solids: 0 is none.
+constexpr int largestLabel = 65535;
+
 /// The rules by which one of several solids that a voxel is in gives its label; see
 /// vtkWindingNumberLabels::OverlapRuleType.
 enum class OverlapRule

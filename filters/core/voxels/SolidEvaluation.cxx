@@ -94,7 +94,9 @@ void SolidEvaluation::run(const Field& field, const Grid& grid, const Extent& ex
     VoxelEvaluation voxels = options_.voxels;
     if (voxels.coverage != Coverage::center)
     {
-      options_.checkMemory(static_cast<double>(voxels.additionalBytes(field, samples)), samples);
+      refuseUnlessFree(static_cast<double>(voxels.additionalBytes(field, samples)),
+        options_.freeMemory, "the coverage of " + std::to_string(samples) + " voxels",
+        {largerVoxels(), inPieces()});
     }
     this->reserve(samples);
     voxels.output.inside = inside_.get();

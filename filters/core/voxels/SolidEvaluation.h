@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "base/Memory.h"
 #include "voxels/VoxelEvaluation.h"
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 
 namespace winding
@@ -17,10 +17,7 @@ struct SolidEvaluationOptions
 {
   VoxelEvaluation voxels;  ///< without the arrays that results go to
   bool withValues = false; ///< whether a LabelMerge is to get values of w
-
-  /// Throws where `bytes` are not free for the coverage of `voxels` voxels.
-  std::function<void(double bytes, std::size_t voxels)> checkMemory = [](double, std::size_t) {
-  };
+  FreeMemory freeMemory;   ///< what coverage may take; null for any amount
 };
 
 /**
@@ -40,7 +37,7 @@ public:
   static double bytes(const SolidEvaluationOptions& options, std::size_t samples);
 
   /// Takes the executor's progress through its share, and adds up samples in `sides` if it is not
-  /// null. Throws Interrupted, and what SolidEvaluationOptions::checkMemory throws.
+  /// null. Throws Interrupted, and OutOfMemory.
   void run(const Field& field, const Grid& grid, const Extent& extent, LabelMerge& merge,
     SideTally* sides, Executor& executor);
 

@@ -373,10 +373,6 @@ def _out_of(names, count):
     return f"{len(names)} of {count} solid{'s' if count > 1 else ''} ({shown})"
 
 
-def _is_of_units(warning):
-    return " to be in another unit: " in warning
-
-
 def legend_of(labels):
     """Returns a line for each label of an image of labels, with its number and its name."""
     facts = labels.GetFieldData()
@@ -392,9 +388,7 @@ class WindingNumberLabels(ImageAlgorithm):
     def __init__(self):
         super().__init__()
         self.infos = []
-        self.open_parts = []
         self.inside_out_count = 0
-        self.warnings_of_grid = []
         self.legend = ""
         self.input_names = {}
         self._kept = (None, None, None)
@@ -512,7 +506,7 @@ class WindingNumberLabels(ImageAlgorithm):
             _library.call("winding_describe", field.pointer, ctypes.byref(info))
             self.infos.append(info)
         self.info = max(self.infos, key=lambda info: info.primitives, default=None)
-        self.inside_out_count, self.warnings_of_grid = 0, []
+        self.inside_out_count = 0
         self._label(solids.solids, handles, grid, extent, attributes)
         self._tell_solids(solids)
         self._describe_solids(solids.solids, image)
@@ -563,14 +557,13 @@ class WindingNumberLabels(ImageAlgorithm):
         attributes.SetActiveScalars("Label")
 
     def evaluate(self, name, *arguments):
-        # Its warnings count solids that look inward, and come between others.
-        start_of_count = "some solids look inward"
-        self.warnings_of_grid = []
+        # One of its warnings counts solids that look inward.
+        tell = self.warn
 
         def warn(text):
-            if text.startswith(start_of_count):
+            if text.startswith("some solids look inward"):
                 self.inside_out_count = int(text.rpartition("; ")[2].split(" ")[0])
-            self.warnings_of_grid.append(text)
+            tell(text)
 
         self.warn = warn
         try:
@@ -580,30 +573,6 @@ class WindingNumberLabels(ImageAlgorithm):
 
     def _tell_solids(self, solids):
         count = len(solids.solids)
-        pairs = list(zip(solids.solids, self.infos))
-        empty = [solid.name for solid, info in pairs if info.primitives == 0]
-        are_open = [(solid.name, solid.is_open_part) for solid, info in pairs
-                    if self._is_open(info)]
-        if len(empty) == count:
-            self.warn(
-                "there is no solid, so all labels are 0: give a surface or points")
-        elif empty:
-            self.warn("no voxel has the labels of empty blocks: leave them out; "
-                      + _out_of(empty, count))
-        for text in self.warnings_of_grid:
-            if _is_of_units(text):
-                self.warn(text)
-        inside = [name for name, is_part in are_open if is_part]
-        if inside:
-            self.warn("open parts lie inside of closed ones: leave them out (Ignore Open Parts); "
-                      "they bound nothing; " + _out_of(inside, count))
-        other = [name for name, is_part in are_open if not is_part]
-        if other:
-            self.warn("some solids have holes: close them where labels are not right; "
-                      + _out_of(other, count))
-        for text in self.warnings_of_grid:
-            if not _is_of_units(text):
-                self.warn(text)
         for text in self.field_notes:
             self.warn(text)
         if solids.notes:

@@ -5,6 +5,7 @@
 #include "pipeline/Ranks.h"
 #include "private/source/OuterSurface.h"
 #include "private/source/RegionCells.h"
+#include "voxels/LabelMerge.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -24,9 +25,6 @@ namespace winding
 {
 
 class Executor;
-
-/// Labels are unsigned short, and 0 is none.
-constexpr int largestLabel = 65535;
 
 /// The choices that decide what the solids of an input are.
 struct SolidOptions
