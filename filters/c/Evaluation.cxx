@@ -146,7 +146,7 @@ winding_status winding_lay_out_grid(const winding_grid_request* request, const w
       const double* bounds = wished.sampling_bounds;
       asked.bounds = winding::Bounds(Eigen::Vector3d(bounds[0], bounds[2], bounds[4]),
         Eigen::Vector3d(bounds[1], bounds[3], bounds[5]));
-      const Grid made = winding::layOutGrid(asked);
+      const Grid made = winding::setUpGrid(asked);
       winding_grid& result = required(grid, "grid");
       for (int axis = 0; axis < 3; ++axis)
       {

@@ -158,7 +158,7 @@ bool SmpExecutor::runBatches(
     if (look_)
     {
       const Clock::time_point startOfLook = Clock::now();
-      this->lookAtClock(startOfRun, part);
+      this->checkClock(startOfRun, part);
       // Waiting for other ranks is no work.
       const Clock::duration waited = Clock::now() - startOfLook;
       start_ += waited;
@@ -166,14 +166,14 @@ bool SmpExecutor::runBatches(
     }
     if (filter_)
     {
-      this->tellProgress(part, showsProgress);
+      this->showProgress(part, showsProgress);
     }
   }
   return true;
 }
 
 /// Calls look_ when a part `done` of a run is done.
-void SmpExecutor::lookAtClock(Clock::time_point startOfRun, double done) const
+void SmpExecutor::checkClock(Clock::time_point startOfRun, double done) const
 {
   const double elapsed = secondsSince(start_), ofRun = secondsSince(startOfRun) / done;
   look_(elapsed, expectedSeconds(elapsed, ofRun, done, this->share()));
@@ -195,7 +195,7 @@ void SmpExecutor::runByClock(const std::function<void()>& work, const Look& look
   look_ = {};
 }
 
-void SmpExecutor::tellProgress(double done, bool showsProgress) const
+void SmpExecutor::showProgress(double done, bool showsProgress) const
 {
   if (showsProgress)
   {

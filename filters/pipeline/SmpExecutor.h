@@ -57,8 +57,8 @@ private:
     std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress);
   bool runBatches(
     std::size_t count, const std::function<void(std::size_t)>& work, bool showsProgress);
-  void lookAtClock(Clock::time_point startOfRun, double done) const;
-  void tellProgress(double done, bool showsProgress) const;
+  void checkClock(Clock::time_point startOfRun, double done) const;
+  void showProgress(double done, bool showsProgress) const;
   void runBatch(
     std::size_t first, std::size_t last, const std::function<void(std::size_t)>& work) const;
 

@@ -88,7 +88,7 @@ int vtkSurfaceReport::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkSurfaceReport::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  winding::askForPart(inputs[0]->GetInformationObject(0), winding::Ranks(this->Controller),
+  winding::requestPart(inputs[0]->GetInformationObject(0), winding::Ranks(this->Controller),
     static_cast<winding::SourceDistribution>(this->SourceDistribution));
   return 1;
 }

@@ -166,9 +166,9 @@ bool vtkWindingNumberAlgorithm::IsHelper() const
   return this->WorksOnFirstRank() && this->Ranks->rank() > 0;
 }
 
-void vtkWindingNumberAlgorithm::AskForSource(vtkInformation* source) const
+void vtkWindingNumberAlgorithm::RequestSource(vtkInformation* source) const
 {
-  winding::askForPart(source, winding::Ranks(this->Controller),
+  winding::requestPart(source, winding::Ranks(this->Controller),
     winding::sourceDistribution(this->SourceDistribution));
 }
 
@@ -328,7 +328,7 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
 {
   this->SourceIsInsideOut = false;
   this->PrepareSeconds = 0;
-  this->LookAtSource(source);
+  this->InspectSource(source);
   this->SetProgressText("Preparing");
   winding::Clock::time_point start = winding::Clock::now();
   winding::SmpExecutor executor(this, this->NumberOfThreads);
@@ -355,7 +355,7 @@ const winding::Field& vtkWindingNumberAlgorithm::PrepareField(
   }
   this->PrepareSeconds = executor.hasRun() ? winding::secondsSince(start) : 0;
   this->SetProgressText("Evaluating");
-  this->TellFaults(field);
+  this->WarnOfFaults(field);
   return field;
 }
 
@@ -402,7 +402,7 @@ winding::InsideTest vtkWindingNumberAlgorithm::GetInsideTest() const
   return {winding::coreInsideRule(this->InsideRule), this->WindingThreshold};
 }
 
-void vtkWindingNumberAlgorithm::TellFaults(const winding::Field& field)
+void vtkWindingNumberAlgorithm::WarnOfFaults(const winding::Field& field)
 {
   const winding::FieldInfo& info = this->Source->info();
   if (!info.warnings.empty())
@@ -520,7 +520,7 @@ double vtkWindingNumberAlgorithm::GetDistanceLimit() const
   return std::numeric_limits<double>::infinity();
 }
 
-void vtkWindingNumberAlgorithm::LookAtSource(vtkDataObject* source)
+void vtkWindingNumberAlgorithm::InspectSource(vtkDataObject* source)
 {
   this->SourceKind = kindOf(source);
 }

@@ -549,12 +549,12 @@ protected:
   std::string GetSourcePrefix() const;
 
   /// Warns about faults of a source whose field was prepared.
-  virtual void TellFaults(const winding::Field& field);
+  virtual void WarnOfFaults(const winding::Field& field);
 
   /// Whether voxels that the source touches are inside, as is then all of a sheet.
   virtual bool TakesTouchedVoxels() const { return false; }
 
-  /// Returns whether TellFaults() warns of sources that are open on a side: yes, unless tasks do.
+  /// Returns whether WarnOfFaults() warns of sources that are open on a side: yes, unless tasks do.
   virtual bool WarnsOfOpenSide() const { return true; }
 
   /// Returns what the tasks of this filter run with.
@@ -573,7 +573,7 @@ protected:
   winding::SourceOptions GetSourceOptions();
 
   /// Sets SourceKind by looking at a source. Filters call it when they are asked for information.
-  void LookAtSource(vtkDataObject* source);
+  void InspectSource(vtkDataObject* source);
 
   /// The ranks of the request that is being answered.
   winding::Ranks& GetRanks() const { return *this->Ranks; }
@@ -590,7 +590,7 @@ protected:
   bool IsHelper() const;
 
   /// Asks upstream for the part of the source that this rank is to have.
-  void AskForSource(vtkInformation* source) const;
+  void RequestSource(vtkInformation* source) const;
 
   /// The bounds of a source's usable primitives; false if it has none. Collective.
   virtual bool GetSourceBounds(vtkDataObject* source, double bounds[6]);

@@ -331,7 +331,7 @@ int vtkWindingNumberBoolean::RequestData(
   {
     winding::refuseNearestOfMixed(blocks, this->GetSourceOptions().input);
   }
-  this->LayGridOver(blocks);
+  this->SetUpGridOver(blocks);
   if (!this->CloseBorder)
   {
     winding::refuseFlatGrid(this->GetSampling());
@@ -365,7 +365,7 @@ int vtkWindingNumberBoolean::RequestData(
   this->EvaluateSeconds = evaluateSeconds;
   this->EarlierSeconds = 0;
   this->ChooseSource(0, "");
-  this->LookAtSource(blocks);
+  this->InspectSource(blocks);
   if (this->IsHelper())
   {
     return 1;

@@ -78,7 +78,7 @@ int vtkWindingNumberGridAlgorithm::RequestUpdateExtent(
   {
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
     {
-      this->AskForSource(inputs[port]->GetInformationObject(i));
+      this->RequestSource(inputs[port]->GetInformationObject(i));
     }
   }
   return 1;
@@ -160,7 +160,7 @@ void vtkWindingNumberGridAlgorithm::UpdateConnection(
   {
     request->Set(Pipeline::WHOLE_EXTENT(), produced->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
-  this->AskForSource(request);
+  this->RequestSource(request);
   request->Remove(Pipeline::WHOLE_EXTENT());
   if (outInfo->Has(Pipeline::UPDATE_TIME_STEP()))
   {
@@ -388,10 +388,10 @@ winding::GridRequest vtkWindingNumberGridAlgorithm::GetGridRequest(vtkDataObject
   return request;
 }
 
-void vtkWindingNumberGridAlgorithm::LayOutGrid(vtkDataObject* source)
+void vtkWindingNumberGridAlgorithm::SetUpGrid(vtkDataObject* source)
 {
   *this->Request = this->GetGridRequest(source);
-  *this->LaidOut = winding::layOutGrid(*this->Request);
+  *this->LaidOut = winding::setUpGrid(*this->Request);
   *this->Sampling = *this->LaidOut;
 }
 
@@ -409,10 +409,10 @@ void vtkWindingNumberGridAlgorithm::MoveGrid(vtkDataObject* source)
   request.padding = this->Padding;
   request.isCubic = request.dimensions == Eigen::Vector3i::Zero();
   request.dimensions = this->LaidOut->dimensions;
-  *this->Sampling = winding::layOutGrid(request);
+  *this->Sampling = winding::setUpGrid(request);
 }
 
-void vtkWindingNumberGridAlgorithm::LayGrid(const winding::Grid& grid)
+void vtkWindingNumberGridAlgorithm::UseGrid(const winding::Grid& grid)
 {
   *this->LaidOut = grid;
   *this->Sampling = grid;

@@ -187,16 +187,16 @@ protected:
   virtual void HashBounds(winding::ContentHash& hash);
 
   /// Lays the grid that the properties want over a source.
-  void LayOutGrid(vtkDataObject* source);
+  void SetUpGrid(vtkDataObject* source);
 
-  /// Lays the grid of the last LayOutGrid() over a source whose bounds may have changed since. It
+  /// Lays the grid of the last SetUpGrid() over a source whose bounds may have changed since. It
   /// keeps its number of voxels along each axis, and these stay cubic unless SamplingDimensions are
   /// set. An empty source leaves the grid where it was.
   void MoveGrid(vtkDataObject* source);
   const winding::Grid& GetSampling() const { return *this->Sampling; }
 
   /// Lays a grid that is given, which a source does not move.
-  void LayGrid(const winding::Grid& grid);
+  void UseGrid(const winding::Grid& grid);
 
   /// PrepareField() for that grid; each rank evaluates about its share, unless the first
   /// does all.
@@ -263,9 +263,9 @@ private:
 
   std::vector<double> BoundsOfTimes;    ///< empty without BoundsOverAllTimes, and without times
   unsigned long long SourceOfTimes = 0; ///< hash of the source and the options that gave them
-  std::unique_ptr<winding::GridRequest> Request; ///< of the last LayOutGrid()
-  std::unique_ptr<winding::Grid> LaidOut;        ///< grid of the last LayOutGrid()
-  std::unique_ptr<winding::Grid> Sampling;       ///< grid of LayOutGrid() or MoveGrid()
+  std::unique_ptr<winding::GridRequest> Request; ///< of the last SetUpGrid()
+  std::unique_ptr<winding::Grid> LaidOut;        ///< grid of the last SetUpGrid()
+  std::unique_ptr<winding::Grid> Sampling;       ///< grid of SetUpGrid() or MoveGrid()
 };
 VTK_ABI_NAMESPACE_END
 

@@ -91,7 +91,7 @@ int vtkWindingNumberImageAlgorithm::RequestUpdateExtent(
 }
 
 /// Takes over the place that the pipeline announces for the image on port 1, if there is any.
-void vtkWindingNumberImageAlgorithm::LookAtLike(vtkInformationVector* like)
+void vtkWindingNumberImageAlgorithm::InspectLike(vtkInformationVector* like)
 {
   this->Like = nullptr;
   *this->Frame = winding::ImageFrame();
@@ -135,26 +135,26 @@ void vtkWindingNumberImageAlgorithm::CheckLike(vtkImageData* image) const
   }
 }
 
-void vtkWindingNumberImageAlgorithm::LayOnLike()
+void vtkWindingNumberImageAlgorithm::SetUpGridLike()
 {
   const winding::ImageGrid image =
     winding::requiredGridOf(this->Like, this->OutputAssociation == CELLS, this->Coverage != CENTER);
   *this->Frame = image.frame;
-  this->LayGrid(image.grid);
+  this->UseGrid(image.grid);
 }
 
 /// Lays the grid over a source, as the properties say, which is brought up to date for its bounds.
-void vtkWindingNumberImageAlgorithm::LayOver(vtkInformation* outInfo)
+void vtkWindingNumberImageAlgorithm::SetUpGridOverSource(vtkInformation* outInfo)
 {
   this->FindBoundsOverAllTimes(outInfo);
   if (this->UseInputBounds)
   {
     // The grid depends on the source's bounds, and is known before anybody asks for a part of it.
     this->UpdateSource(outInfo);
-    this->LookAtSource(this->GetSource());
+    this->InspectSource(this->GetSource());
   }
   this->CheckSource(this->GetSource());
-  this->LayOutGrid(this->GetSource());
+  this->SetUpGrid(this->GetSource());
 }
 
 int vtkWindingNumberImageAlgorithm::RequestInformation(
@@ -168,19 +168,19 @@ int vtkWindingNumberImageAlgorithm::RequestInformation(
   outInfo->Remove(vtkDataObject::DIRECTION());
   const int nothing[6] = {0, -1, 0, -1, 0, -1};
   outInfo->Set(Pipeline::WHOLE_EXTENT(), nothing, 6);
-  this->LookAtSource(this->GetSource());
-  this->LookAtLike(inputs[1]);
+  this->InspectSource(this->GetSource());
+  this->InspectLike(inputs[1]);
   this->AgreeOnProperties();
   const bool asCells = this->OutputAssociation == CELLS;
   int extent[6];
   if (this->Like)
   {
-    this->LayOnLike();
+    this->SetUpGridLike();
     this->Like->GetExtent(extent);
   }
   else
   {
-    this->LayOver(outInfo);
+    this->SetUpGridOverSource(outInfo);
     for (int axis = 0; axis < 3; ++axis)
     {
       // An image of n cells has n + 1 points.
@@ -189,7 +189,7 @@ int vtkWindingNumberImageAlgorithm::RequestInformation(
     }
   }
   outInfo->Set(Pipeline::WHOLE_EXTENT(), extent, 6);
-  this->TellGrid(outInfo);
+  this->AnnounceGrid(outInfo);
   outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   if (this->UnionOverAllTimes && this->HasTimeSteps())
   {
@@ -203,7 +203,7 @@ int vtkWindingNumberImageAlgorithm::RequestInformation(
   return 1;
 }
 
-void vtkWindingNumberImageAlgorithm::TellGrid(vtkInformation* outInfo) const
+void vtkWindingNumberImageAlgorithm::AnnounceGrid(vtkInformation* outInfo) const
 {
   if (this->Like)
   {
@@ -273,14 +273,14 @@ int vtkWindingNumberImageAlgorithm::RequestData(
   {
     this->CheckLike(vtkImageData::GetData(inputs[1]));
     this->CheckSource(source);
-    this->LayOnLike();
+    this->SetUpGridLike();
   }
   else
   {
     // The source may belong to another time than the one at which the grid was laid.
     this->MoveGrid(source);
   }
-  this->TellGrid(outInfo);
+  this->AnnounceGrid(outInfo);
 
   const bool asCells = this->OutputAssociation == CELLS;
   winding::Extent samples;
@@ -339,7 +339,7 @@ bool vtkWindingNumberImageAlgorithm::MakeUnion(
         this->UniteTimes(image, part);
       }
     });
-  this->LookAtSource(this->GetSource()); // which has its time back; the last one may be empty
+  this->InspectSource(this->GetSource()); // which has its time back; the last one may be empty
   return isUnion;
 }
 

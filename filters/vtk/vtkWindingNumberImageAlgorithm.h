@@ -196,11 +196,11 @@ protected:
 
 private:
   bool MakeUnion(vtkInformation* outInfo, const std::array<int, 6>& samples, vtkImageData* image);
-  void LayOver(vtkInformation* outInfo);
-  void LookAtLike(vtkInformationVector* like);
+  void SetUpGridOverSource(vtkInformation* outInfo);
+  void InspectLike(vtkInformationVector* like);
   void CheckLike(vtkImageData* image) const;
-  void LayOnLike();
-  void TellGrid(vtkInformation* outInfo) const;
+  void SetUpGridLike();
+  void AnnounceGrid(vtkInformation* outInfo) const;
 
   vtkSmartPointer<vtkImageData> Like; ///< place of the image to lie on, without arrays; may be null
 };

@@ -140,7 +140,7 @@ void vtkWindingNumberLabels::CheckSource(vtkDataObject* source)
   this->GetRanks().agree([&] { winding::checkSolids(source, this->SourceAsPoints != 0); });
 }
 
-void vtkWindingNumberLabels::TellFaults(const winding::Field&)
+void vtkWindingNumberLabels::WarnOfFaults(const winding::Field&)
 {
   // WarnOfSolids() counts what would be a line for each solid.
 }
@@ -218,7 +218,7 @@ void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const winding::Ext
   winding::LabelImage labels(samples, this->GetImageOptions(solids.size()));
   this->MergeSolids(solids, labels);
   labels.addTo(attributes);
-  this->LookAtSource(source);
+  this->InspectSource(source);
   this->SourceIsInsideOut = this->Facts->insideOut.count() > 0;
   this->DescribeSolids(solids, image);
   this->DescribeMethod(image);

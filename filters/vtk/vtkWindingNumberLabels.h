@@ -195,7 +195,7 @@ protected:
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
   void CheckSource(vtkDataObject* source) override;
-  void TellFaults(const winding::Field& field) override;
+  void WarnOfFaults(const winding::Field& field) override;
   const winding::FieldInfo& GetSourceInfo() const override;
   double GetResultBytes(vtkIdType samples) const override;
 

@@ -122,7 +122,7 @@ int vtkWindingNumberProbeAlgorithm::RequestInformation(
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   this->QueriesRefused = false;
-  this->LookAtSource(vtkDataObject::GetData(inputs[1]));
+  this->InspectSource(vtkDataObject::GetData(inputs[1]));
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   // Without time steps in its information the pipeline would ask a moving source once only.
   for (vtkInformationVector* input : {inputs[1], inputs[0]})
@@ -143,7 +143,7 @@ int vtkWindingNumberProbeAlgorithm::RequestUpdateExtent(
 {
   if (vtkInformation* source = inputs[1]->GetInformationObject(0))
   {
-    this->AskForSource(source);
+    this->RequestSource(source);
   }
   return 1;
 }
@@ -195,9 +195,9 @@ int vtkWindingNumberProbeAlgorithm::RequestData(
   const winding::Field& field = queries.grid()
                                   ? this->PrepareField(source, *queries.grid(), count)
                                   : this->PrepareField(source, queries.samples(), count);
-  this->TellNotFinite(queries);
+  this->WarnOfNotFinite(queries);
   this->EvaluateSamples(field, queries, results);
-  this->TellOutside(field, queries, results);
+  this->WarnOfOutside(field, queries, results);
   if (this->InsideOut)
   {
     turnInsideOut(queries, results.inside()->GetPointer(0));
@@ -208,7 +208,7 @@ int vtkWindingNumberProbeAlgorithm::RequestData(
       this->GetRanks().allOf([&] { return queries.size() == 0 || results.countInside() == 0; }) &&
       queries.size() > 0)
   {
-    this->TellEmpty();
+    this->WarnOfEmpty();
   }
   this->WriteOutput(input, queries, results, output);
   return 1;
@@ -246,7 +246,7 @@ void vtkWindingNumberProbeAlgorithm::EvaluateSamples(const winding::Field& field
 }
 
 /// Warns of samples that are nowhere.
-void vtkWindingNumberProbeAlgorithm::TellNotFinite(const winding::ProbeQueries& queries)
+void vtkWindingNumberProbeAlgorithm::WarnOfNotFinite(const winding::ProbeQueries& queries)
 {
   vtkIdType count = 0;
   for (vtkIdType i = 0; !queries.grid() && i < queries.size(); ++i)
@@ -263,7 +263,7 @@ void vtkWindingNumberProbeAlgorithm::TellNotFinite(const winding::ProbeQueries& 
 }
 
 /// Warns where none of many samples is inside of an open source, though they lie within its bounds.
-void vtkWindingNumberProbeAlgorithm::TellOutside(const winding::Field& field,
+void vtkWindingNumberProbeAlgorithm::WarnOfOutside(const winding::Field& field,
   const winding::ProbeQueries& queries, const winding::ResultArrays& results)
 {
   constexpr std::size_t many = 100;
@@ -294,7 +294,7 @@ void vtkWindingNumberProbeAlgorithm::TellOutside(const winding::Field& field,
 }
 
 /// Warns of an empty result. A source without primitives, or inside out, has been warned of before.
-void vtkWindingNumberProbeAlgorithm::TellEmpty()
+void vtkWindingNumberProbeAlgorithm::WarnOfEmpty()
 {
   if (!this->SourceIsInsideOut && this->GetNumberOfPrimitives() > 0)
   {

@@ -145,9 +145,9 @@ protected:
   bool QueriesAreGrid = false; ///< of an image, in the last execution
 
 private:
-  void TellEmpty();
-  void TellNotFinite(const winding::ProbeQueries& queries);
-  void TellOutside(const winding::Field& field, const winding::ProbeQueries& queries,
+  void WarnOfEmpty();
+  void WarnOfNotFinite(const winding::ProbeQueries& queries);
+  void WarnOfOutside(const winding::Field& field, const winding::ProbeQueries& queries,
     const winding::ResultArrays& results);
   void EvaluateSamples(const winding::Field& field, const winding::ProbeQueries& queries,
     const winding::ResultArrays& results);

@@ -80,7 +80,7 @@ int vtkWindingNumberSurface::RequestData(
   this->FidelityInWords.clear();
   this->AgreeOnProperties();
   vtkDataObject* source = vtkDataObject::GetData(inputs[0]);
-  this->LayGridOver(source);
+  this->SetUpGridOver(source);
   if (!this->CloseBorder)
   {
     winding::refuseFlatGrid(this->GetSampling());

@@ -75,7 +75,7 @@ int vtkWindingNumberSurfaceAlgorithm::RequestInformation(
   vtkInformation* ofImage = outputs->GetInformationObject(1);
   winding::Extent extent = {0, -1, 0, -1, 0, -1};
   ofImage->Set(Pipeline::WHOLE_EXTENT(), extent.data(), 6);
-  this->LookAtSource(this->GetSource());
+  this->InspectSource(this->GetSource());
   this->GetRanks().requireSame(
     [this]() -> winding::Ranks::Number { return this->GenerateImage != 0; });
   this->FindBoundsOverAllTimes(outInfo);
@@ -88,7 +88,7 @@ int vtkWindingNumberSurfaceAlgorithm::RequestInformation(
   {
     this->UpdateSource(outInfo);
   }
-  this->LayOutGrid(this->GetSource());
+  this->SetUpGrid(this->GetSource());
   const winding::Grid& grid = this->GetSampling();
   extent = grid.wholeExtent();
   ofImage->Set(Pipeline::WHOLE_EXTENT(), extent.data(), 6);
@@ -98,7 +98,7 @@ int vtkWindingNumberSurfaceAlgorithm::RequestInformation(
   return 1;
 }
 
-void vtkWindingNumberSurfaceAlgorithm::LayGridOver(vtkDataObject* source)
+void vtkWindingNumberSurfaceAlgorithm::SetUpGridOver(vtkDataObject* source)
 {
   this->GetImage()->Initialize();
   if (this->GenerateImage)
@@ -107,7 +107,7 @@ void vtkWindingNumberSurfaceAlgorithm::LayGridOver(vtkDataObject* source)
   }
   else
   {
-    this->LayOutGrid(source);
+    this->SetUpGrid(source);
   }
 }
 

@@ -184,7 +184,7 @@ protected:
   bool IsLaterPiece(vtkInformation* output) const;
 
   /// Lays the grid over a source: anew, or where the grid of the image has been announced.
-  void LayGridOver(vtkDataObject* source);
+  void SetUpGridOver(vtkDataObject* source);
 
   virtual winding::SurfaceOptions GetSurfaceOptions() const;
 

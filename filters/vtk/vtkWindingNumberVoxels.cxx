@@ -282,7 +282,7 @@ int vtkWindingNumberVoxels::RequestUpdateExtent(
   {
     if (vtkInformation* info = input->GetInformationObject(0))
     {
-      winding::askForPiece(info, 0, 1);
+      winding::requestPiece(info, 0, 1);
     }
   }
   return 1;

@@ -90,7 +90,7 @@ std::string compareTimes(const Timed& timed)
   request.bounds = bounds;
   request.padding = 0.05;
   request.resolution = timed.resolution;
-  const Grid grid = layOutGrid(request);
+  const Grid grid = setUpGrid(request);
   double least = HUGE_VAL, longest = 0, allowed = 0;
   for (int attempt = 0; attempt < attempts && !(least <= allowed); ++attempt)
   {

@@ -38,7 +38,7 @@ inline DiagnosisTime diagnosisTime(
   winding::GridRequest request;
   request.bounds = field->info().bounds;
   request.resolution = resolution;
-  const winding::Grid grid = layOutGrid(request);
+  const winding::Grid grid = setUpGrid(request);
   const winding::Extent extent = grid.wholeExtent();
   std::vector<float> values(winding::sampleCount(extent));
   winding::SideTally sides;

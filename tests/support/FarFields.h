@@ -292,7 +292,7 @@ inline winding::Grid gridAround(const winding::Bounds& bounds, const Eigen::Vect
   request.bounds = bounds;
   request.padding = 0.1;
   request.dimensions = dimensions;
-  return winding::layOutGrid(request);
+  return winding::setUpGrid(request);
 }
 
 inline winding::Bounds boundsOf(const winding::Grid& grid)

@@ -123,7 +123,7 @@ inline winding::Grid gridAround(const winding::Bounds& bounds, int resolution)
   winding::GridRequest request;
   request.bounds = bounds;
   request.resolution = resolution;
-  return winding::layOutGrid(request);
+  return winding::setUpGrid(request);
 }
 
 inline std::vector<std::pair<std::string, Mesh>> hostileSoups(std::size_t count)

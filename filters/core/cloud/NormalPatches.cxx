@@ -174,7 +174,7 @@ NormalPatches::Followers NormalPatches::followersOf(const Largest& patches) cons
   return followers;
 }
 
-void NormalPatches::handOn(const Largest& patches, std::vector<unsigned char>& isTurned) const
+void NormalPatches::propagate(const Largest& patches, std::vector<unsigned char>& isTurned) const
 {
   const Followers followers = this->followersOf(patches);
   std::vector<unsigned char> isPatchTurned(patches.count() + 1, 0);

@@ -51,7 +51,7 @@ public:
 
   /// Hands senses on to all places from the patches that they follow. isTurned: for the places of
   /// these patches, whether their normals are to be turned. Other places' entries are set.
-  void handOn(const Largest& patches, std::vector<unsigned char>& isTurned) const;
+  void propagate(const Largest& patches, std::vector<unsigned char>& isTurned) const;
 
   /// A step and whether its normals have opposite senses. Both ends are neighbours of each other
   /// mostly, and have one link then.

@@ -106,7 +106,7 @@ void tryPatches(const DistinctPoints& places, const NeighborGraph& graph,
         turns[largest.places[place]] ^= 1;
       }
     }
-    patches.handOn(largest, turns);
+    patches.propagate(largest, turns);
     progress.set(begin + ofDoubt / 2, begin + ofDoubt);
     const Eigen::VectorXd ofOthers =
       field.sharesOf(*normals, turns, othersThan(largest.places, places.size()));

@@ -4,7 +4,7 @@
 
 #include "farfield/Expansions.h"
 #include "source/CoordinateOrder.h"
-#include "source/CornersAhead.h"
+#include "source/PrefetchCorners.h"
 
 #include <algorithm>
 #include <atomic>
@@ -118,7 +118,7 @@ bool leavesWhole(const SplitRule& rule, const std::vector<Eigen::Vector3d>& vert
     {
       for (; first < last && areAllLeft.load(std::memory_order_relaxed); ++first)
       {
-        askForCornersAhead(vertices.data(), triangles, first);
+        prefetchCorners(vertices.data(), triangles, first);
         if (!isLeft(triangles[first]))
         {
           areAllLeft = false;

@@ -6,7 +6,7 @@
 #include "farfield/BulkBounds.h"
 #include "farfield/SourceItems.h"
 #include "source/CoordinateOrder.h"
-#include "source/CornersAhead.h"
+#include "source/PrefetchCorners.h"
 #include "source/UnitScale.h"
 #include "sums/MultipleAngles.h"
 
@@ -232,7 +232,7 @@ private:
       treeItems_,
       [&](std::size_t i)
       {
-        askForCornersAhead(vertices.data(), triangles.triangles(), first + i);
+        prefetchCorners(vertices.data(), triangles.triangles(), first + i);
         this->setTriangle(i, vertices, triangles, first + i);
       },
       executor);

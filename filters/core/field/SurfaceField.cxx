@@ -59,7 +59,7 @@ SurfaceField::SurfaceField(
   info_.boundaryEdges = chain.edgesOfOneTriangle;
   info_.contradictingEdges = chain.contradictions.size();
   info_.netBoundaryEdges = chain.edges.size();
-  this->takeEqualTogether(chain);
+  this->mergeEqual(chain);
   info_.distinct = distinct_->triangles.size();
   if (!chain.edges.empty() && info_.added == 0)
   {
@@ -151,7 +151,7 @@ void SurfaceField::complete(
 }
 
 /// Makes the surface that is summed another one, where triangles are equal to each other.
-void SurfaceField::takeEqualTogether(const BoundaryChain& chain)
+void SurfaceField::mergeEqual(const BoundaryChain& chain)
 {
   // The two sides of a single face, which no other touches, are looked for in small surfaces, and
   // where faces share few vertices though all edges cancel.

@@ -53,7 +53,7 @@ protected:
 private:
   void complete(
     const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor);
-  void takeEqualTogether(const BoundaryChain& chain);
+  void mergeEqual(const BoundaryChain& chain);
   void chooseMethod(const FieldOptions& options, const BoundaryChain& chain, Executor& executor);
   void chooseFarField(const FieldOptions& options, const std::string& why);
   void makeFarField(double tolerance);

@@ -7,7 +7,7 @@
 #include "base/Progress.h"
 #include "base/UninitializedVector.h"
 #include "rays/RowTriangle.h"
-#include "source/CornersAhead.h"
+#include "source/PrefetchCorners.h"
 
 #include <algorithm>
 #include <cmath>
@@ -172,7 +172,7 @@ private:
         {
           for (std::size_t i = begin; i < end; ++i)
           {
-            askForCornersAhead(places, list.triangles(), i);
+            prefetchCorners(places, list.triangles(), i);
             // Nobody could predict which triangles reach rows, so that all are written down.
             const Reach reach = this->reachOf(places, list[i]);
             numbers[found] = static_cast<std::uint32_t>(numberOfFirst + i);

@@ -4,7 +4,7 @@
 
 #include "rays/Bins.h"
 #include "source/CompareCoordinates.h"
-#include "source/CornersAhead.h"
+#include "source/PrefetchCorners.h"
 
 #include <cmath>
 #include <utility>
@@ -277,7 +277,7 @@ std::vector<SampleLine> linesThrough(const Surface& surface,
           lines.addHits(number, boxOf(bins, surface, number), ofBlocks[block]);
           continue;
         }
-        askForCornersAhead(ofVertex.data(), surface.triangles, i);
+        prefetchCorners(ofVertex.data(), surface.triangles, i);
         const Triangle& t = surface.triangles[i];
         lines.addHits(
           i, Bins::boxOf(ofVertex[t[0]], ofVertex[t[1]], ofVertex[t[2]]), ofBlocks[block]);

@@ -4,7 +4,7 @@
 
 #include "source/CompareCoordinates.h"
 #include "source/CoordinateOrder.h"
-#include "source/CornersAhead.h"
+#include "source/PrefetchCorners.h"
 #include "source/UnitScale.h"
 
 #include <algorithm>
@@ -325,7 +325,7 @@ SurfaceSamples sampleSurface(const Surface& surface, std::size_t most, Executor&
         const std::size_t i = areSome ? static_cast<std::size_t>(result.some[n]) : n;
         if (!areSome)
         {
-          askForCornersAhead(surface.vertices.data(), surface.triangles, i);
+          prefetchCorners(surface.vertices.data(), surface.triangles, i);
         }
         const Triangle& t = surface.triangles[i];
         const Eigen::Vector3d &a = surface.vertices[t[0]], &b = surface.vertices[t[1]],

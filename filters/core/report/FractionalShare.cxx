@@ -24,7 +24,7 @@ std::optional<Grid> gridAround(const Bounds& bounds)
   request.resolution = 32;
   try
   {
-    return layOutGrid(request);
+    return setUpGrid(request);
   }
   catch (const Refusal&)
   {

@@ -128,7 +128,7 @@ Eigen::Vector3d Grid::sample(const Extent& extent, std::size_t n) const
   return this->sample(sampleIndex(extent, n));
 }
 
-Grid layOutGrid(const GridRequest& request)
+Grid setUpGrid(const GridRequest& request)
 {
   checkBounds(request.bounds);
   if (!(request.padding >= 0) || !std::isfinite(request.padding))

@@ -113,9 +113,9 @@ struct GridRequest
  * numbers, and for voxels smaller than 1e-110 or farther than 1e102 from the origin, so that
  * products of three lengths stay in the range of double.
  */
-Grid layOutGrid(const GridRequest& request);
+Grid setUpGrid(const GridRequest& request);
 
-/// Throws Refusal for a grid that layOutGrid() would not make: for its size, its place, or samples
+/// Throws Refusal for a grid that setUpGrid() would not make: for its size, its place, or samples
 /// that cannot be told apart.
 void checkGrid(const Grid& grid);
 

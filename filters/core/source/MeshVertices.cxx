@@ -4,7 +4,7 @@
 
 #include "base/Executor.h"
 #include "source/CoordinateOrder.h"
-#include "source/CornersAhead.h"
+#include "source/PrefetchCorners.h"
 
 #include <Eigen/Geometry>
 
@@ -178,7 +178,7 @@ void forEachTriangle(const std::vector<TrianglesView>& views, std::size_t points
     const std::size_t end = start + view.triangles.size();
     for (std::size_t t = std::max(first, start); t < std::min(last, end); ++t)
     {
-      askAhead(view, t - start, view.triangles.size(),
+      prefetch(view, t - start, view.triangles.size(),
         [&](std::size_t id)
         {
           askForPoint(view, id);

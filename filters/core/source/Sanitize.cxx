@@ -6,7 +6,7 @@
 
 #include "base/Concatenation.h"
 #include "base/Refusal.h"
-#include "source/CornersAhead.h"
+#include "source/PrefetchCorners.h"
 #include "source/UnitNormal.h"
 #include "source/Weld.h"
 
@@ -41,7 +41,7 @@ Eigen::Vector3d corner(const TrianglesView& view, std::size_t triangle, std::siz
 
 void askForNext(const TrianglesView& view, std::size_t triangle, std::size_t end)
 {
-  askAhead(view, triangle, end, [&](std::size_t id) { askForPoint(view, id); });
+  prefetch(view, triangle, end, [&](std::size_t id) { askForPoint(view, id); });
 }
 
 /// Points in their order need nothing: memory comes ahead by itself.
@@ -352,7 +352,7 @@ Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor)
           const std::size_t firstPoint = weld.firstPoint(number);
           for (std::size_t i = begin; i < end; ++i)
           {
-            askAhead(view, i, end,
+            prefetch(view, i, end,
               [&](std::size_t id)
               {
                 askForPoint(view, id);
@@ -409,7 +409,7 @@ Surface sanitize(const std::vector<TrianglesView>& views, Executor& executor)
           };
           for (std::size_t i = begin; i < end; ++i)
           {
-            askAhead(view, i, end, [&](std::size_t id) { weld.askForVertex(firstPoint + id); });
+            prefetch(view, i, end, [&](std::size_t id) { weld.askForVertex(firstPoint + id); });
             if (keepsAll || faultOf(view, i) == TriangleFault::none)
             {
               *kept++ = {vertexOf(i, 0), vertexOf(i, 1), vertexOf(i, 2)};

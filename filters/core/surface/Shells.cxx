@@ -165,7 +165,8 @@ constexpr std::int32_t unknown = std::numeric_limits<std::int32_t>::min();
 /// after(number, value) is the number behind a step, or unknown. Where several steps reach a shell
 /// first, the most common one counts, and then the least number.
 template <class After>
-void handOn(const std::vector<Step>& steps, std::vector<std::int32_t>& numbers, const After& after)
+void propagate(
+  const std::vector<Step>& steps, std::vector<std::int32_t>& numbers, const After& after)
 {
   std::vector<std::int32_t> reached;
   for (std::size_t shell = 0; shell < numbers.size(); ++shell)
@@ -248,7 +249,7 @@ std::vector<Shells::Region> Shells::regions(const std::vector<std::int32_t>& cou
       numbers[shell] = 0;
     }
   }
-  handOn(steps, numbers,
+  propagate(steps, numbers,
     [](std::int32_t number, std::int32_t count)
     { return count >= number ? count - number : unknown; });
   DisjointSets reached(shells_.size());
@@ -306,7 +307,7 @@ std::vector<char> Shells::contradict(
       numbers[shell] = 0;
     }
   }
-  handOn(steps, numbers, std::plus<>());
+  propagate(steps, numbers, std::plus<>());
   std::vector<char> setContradicts(shells_.size(), 0), result(counts.size());
   for (const Step& step : steps)
   {

@@ -57,11 +57,11 @@ void LabelTask::add(const Field& field, const FieldInfo& info, const LabeledSoli
   {
     const double end = run.executor.share().second;
     run.executor.setShare(end, end);
-    this->lookAtResult(field, sides.counts(sampleCount(arrays_.extent)), solid, run);
+    this->inspectResult(field, sides.counts(sampleCount(arrays_.extent)), solid, run);
   }
 }
 
-void LabelTask::lookAtResult(
+void LabelTask::inspectResult(
   const Field& field, const SideCounts& sides, const LabeledSolid& solid, Run& run)
 {
   const Diagnosis& diagnosis = field.diagnosis();

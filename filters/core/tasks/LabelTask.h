@@ -53,7 +53,7 @@ public:
 
 private:
   bool isWhole() const { return arrays_.extent == grid_.wholeExtent(); }
-  void lookAtResult(
+  void inspectResult(
     const Field& field, const SideCounts& sides, const LabeledSolid& solid, Run& run);
   void warnOfLabels(Run& run) const;
 

@@ -10,7 +10,7 @@ winding::Grid benchGrid(const winding::Bounds& bounds, int resolution)
   request.bounds = bounds;
   request.padding = 0.05;
   request.resolution = resolution;
-  return winding::layOutGrid(request);
+  return winding::setUpGrid(request);
 }
 
 std::string sizeOf(const winding::Grid& grid)

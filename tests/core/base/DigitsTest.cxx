@@ -87,7 +87,7 @@ TEST(Digits, HaveAPointWhereStreamsHaveAComma)
   request.padding = -1.5;
   try
   {
-    winding::layOutGrid(request);
+    winding::setUpGrid(request);
     FAIL() << "is not refused";
   }
   catch (const winding::Refusal& refusal)

@@ -37,7 +37,7 @@ Grid gridOver(const Point& low, const Point& high)
   winding::GridRequest request;
   request.bounds = winding::Bounds(low, high);
   request.resolution = 12;
-  return winding::layOutGrid(request);
+  return winding::setUpGrid(request);
 }
 
 winding::Facing facingOf(const Field& field, const winding::SideCounts& sides)

@@ -27,7 +27,7 @@ Grid gridAround(const Mesh& mesh, int resolution)
   request.bounds = clean(mesh).bounds;
   request.padding = 0.05;
   request.resolution = resolution;
-  return layOutGrid(request);
+  return setUpGrid(request);
 }
 
 std::optional<ThinParts> thinPartsOn(const Mesh& mesh, const Grid& grid, double threshold = 0.5)

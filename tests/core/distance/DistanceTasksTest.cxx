@@ -45,7 +45,7 @@ Grid gridOverASphere()
   winding::GridRequest request;
   request.bounds = winding::Bounds(Point(-1.6, -1.5, -1.4), Point(1.3, 1.5, 1.7));
   request.dimensions = {11, 13, 12};
-  return winding::layOutGrid(request);
+  return winding::setUpGrid(request);
 }
 
 } // namespace

@@ -37,7 +37,7 @@ Grid gridOver(const Point& low, const Point& high, const Eigen::Vector3i& dimens
   winding::GridRequest request;
   request.bounds = winding::Bounds(low, high);
   request.dimensions = dimensions;
-  return winding::layOutGrid(request);
+  return winding::setUpGrid(request);
 }
 
 /// Compares signs with sides, and returns the largest relative error against the naive distance.

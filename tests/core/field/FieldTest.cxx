@@ -48,7 +48,7 @@ Grid someGrid()
   winding::GridRequest request;
   request.bounds = winding::Bounds(Point(-1.5, -1.4, -1.3), Point(1.5, 1.4, 1.3));
   request.resolution = 21;
-  return winding::layOutGrid(request);
+  return winding::setUpGrid(request);
 }
 
 std::vector<double> valuesOn(

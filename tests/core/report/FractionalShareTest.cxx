@@ -34,7 +34,7 @@ double naiveShareOf(const Mesh& mesh)
   request.bounds = surface.bounds;
   request.padding = 0.05;
   request.resolution = 32;
-  const winding::Grid grid = winding::layOutGrid(request);
+  const winding::Grid grid = winding::setUpGrid(request);
   std::size_t fractional = 0, count = 0;
   for (int k = 0; k < grid.dimensions[2]; ++k)
   {

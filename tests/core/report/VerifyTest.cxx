@@ -40,7 +40,7 @@ Grid gridOver(const Point& low, const Point& high, int resolution = 16)
   winding::GridRequest request;
   request.bounds = winding::Bounds(low, high);
   request.resolution = resolution;
-  return winding::layOutGrid(request);
+  return winding::setUpGrid(request);
 }
 
 Grid sphereGrid()

@@ -21,7 +21,7 @@ using shapes::Point;
 using winding::Bounds;
 using winding::Grid;
 using winding::GridRequest;
-using winding::layOutGrid;
+using winding::setUpGrid;
 using winding::Parameter;
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
@@ -46,7 +46,7 @@ void expectRefused(
 {
   try
   {
-    layOutGrid(request);
+    setUpGrid(request);
     FAIL() << "not refused, though " << mention;
   }
   catch (const winding::Refusal& refusal)
@@ -60,11 +60,11 @@ void expectRefused(
 
 } // namespace
 
-TEST(LayOutGrid, MakesCubicVoxelsOfTheResolutionAlongTheLongestSide)
+TEST(SetUpGrid, MakesCubicVoxelsOfTheResolutionAlongTheLongestSide)
 {
   GridRequest request = overSome();
   request.resolution = 8;
-  const Grid grid = layOutGrid(request);
+  const Grid grid = setUpGrid(request);
   EXPECT_EQ(grid.dimensions, Eigen::Vector3i(8, 4, 2));
   EXPECT_EQ(grid.spacing, Point(0.5, 0.5, 0.5));
   EXPECT_EQ(grid.firstSample, Point(1.25, 2.25, 3.25));
@@ -72,27 +72,27 @@ TEST(LayOutGrid, MakesCubicVoxelsOfTheResolutionAlongTheLongestSide)
   EXPECT_EQ(grid.sample(7, 3, 1), Point(4.75, 3.75, 3.75));
 }
 
-TEST(LayOutGrid, PadsByAFractionOfTheLongestSideOnEachSide)
+TEST(SetUpGrid, PadsByAFractionOfTheLongestSideOnEachSide)
 {
   GridRequest request = overSome();
   request.resolution = 12;
   request.padding = 0.25;
-  const Grid grid = layOutGrid(request);
+  const Grid grid = setUpGrid(request);
   EXPECT_EQ(grid.dimensions, Eigen::Vector3i(12, 8, 6));
   EXPECT_EQ(grid.corner(), Point(0, 1, 2));
 }
 
-TEST(LayOutGrid, TakesTheVoxelSizeInPlaceOfTheResolution)
+TEST(SetUpGrid, TakesTheVoxelSizeInPlaceOfTheResolution)
 {
   GridRequest request = overSome();
   request.voxelSize = 0.25;
   request.resolution = 0;
-  const Grid grid = layOutGrid(request);
+  const Grid grid = setUpGrid(request);
   EXPECT_EQ(grid.dimensions, Eigen::Vector3i(16, 8, 4));
   EXPECT_EQ(grid.spacing, Point(0.25, 0.25, 0.25));
 }
 
-TEST(LayOutGrid, ReachesOverTheBoundsByTheSameOnBothSidesAndLessThanAVoxelInAll)
+TEST(SetUpGrid, ReachesOverTheBoundsByTheSameOnBothSidesAndLessThanAVoxelInAll)
 {
   SCOPED_TRACE("seed 81");
   shapes::Random random(81);
@@ -102,7 +102,7 @@ TEST(LayOutGrid, ReachesOverTheBoundsByTheSameOnBothSidesAndLessThanAVoxelInAll)
     GridRequest request = over(low, low + random.point(0.01, 3));
     request.resolution = 1 + static_cast<int>(random(0, 100));
     request.padding = random(0, 1);
-    const Grid grid = layOutGrid(request);
+    const Grid grid = setUpGrid(request);
     const Point margin = Point::Constant(request.padding * request.bounds.sizes().maxCoeff());
     const Point before = request.bounds.min() - margin - grid.corner();
     const Point last =
@@ -118,60 +118,60 @@ TEST(LayOutGrid, ReachesOverTheBoundsByTheSameOnBothSidesAndLessThanAVoxelInAll)
   }
 }
 
-TEST(LayOutGrid, PadsEachAxisByItsOwnLengthWithGivenDimensions)
+TEST(SetUpGrid, PadsEachAxisByItsOwnLengthWithGivenDimensions)
 {
   GridRequest request = overSome();
   request.dimensions = {6, 6, 6};
   request.padding = 0.25;
-  Grid grid = layOutGrid(request);
+  Grid grid = setUpGrid(request);
   EXPECT_EQ(grid.corner(), Point(0, 1.5, 2.75));
   EXPECT_EQ(grid.spacing, Point(1, 0.5, 0.25));
   request.bounds = over({1, 2, 3}, {5, 4, 3}).bounds; // flat
-  grid = layOutGrid(request);
+  grid = setUpGrid(request);
   EXPECT_LT((grid.corner() - Point(0, 1.5, 2)).norm(), 1e-15);
   request.isCubic = true;
-  EXPECT_EQ(layOutGrid(request).spacing, Point(1, 1, 1));
+  EXPECT_EQ(setUpGrid(request).spacing, Point(1, 1, 1));
 }
 
-TEST(LayOutGrid, GainsNoVoxelByRounding)
+TEST(SetUpGrid, GainsNoVoxelByRounding)
 {
   GridRequest request = over({0, 0, 0}, {0.3, 0.7, 2.1});
   request.voxelSize = 0.1;
-  EXPECT_EQ(layOutGrid(request).dimensions, Eigen::Vector3i(3, 7, 21));
+  EXPECT_EQ(setUpGrid(request).dimensions, Eigen::Vector3i(3, 7, 21));
 }
 
-TEST(LayOutGrid, FillsTheBoundsExactlyWithGivenDimensions)
+TEST(SetUpGrid, FillsTheBoundsExactlyWithGivenDimensions)
 {
   GridRequest request = overSome();
   request.dimensions = {2, 4, 1};
-  const Grid grid = layOutGrid(request);
+  const Grid grid = setUpGrid(request);
   EXPECT_EQ(grid.dimensions, request.dimensions);
   EXPECT_EQ(grid.spacing, Point(2, 0.5, 1));
   EXPECT_EQ(grid.corner(), Point(1, 2, 3));
 }
 
-TEST(LayOutGrid, GivesFlatBoundsOneLayerOfVoxelsAroundThem)
+TEST(SetUpGrid, GivesFlatBoundsOneLayerOfVoxelsAroundThem)
 {
   GridRequest request = over({0, 0, 5}, {4, 4, 5});
   request.resolution = 4;
-  const Grid grid = layOutGrid(request);
+  const Grid grid = setUpGrid(request);
   EXPECT_EQ(grid.dimensions, Eigen::Vector3i(4, 4, 1));
   EXPECT_EQ(grid.firstSample[2], 5);
 }
 
-TEST(LayOutGrid, ScalesWithTheUnitOfLength)
+TEST(SetUpGrid, ScalesWithTheUnitOfLength)
 {
   for (const double scale : {0x1p-330, 0x1p-100, 0x1p100, 0x1p330})
   {
-    const Grid unit = layOutGrid(overSome());
-    const Grid grid = layOutGrid(over(scale * Point(1, 2, 3), scale * Point(5, 4, 4)));
+    const Grid unit = setUpGrid(overSome());
+    const Grid grid = setUpGrid(over(scale * Point(1, 2, 3), scale * Point(5, 4, 4)));
     EXPECT_EQ(grid.dimensions, unit.dimensions);
     EXPECT_EQ(grid.firstSample, scale * unit.firstSample);
     EXPECT_EQ(grid.spacing, scale * unit.spacing);
   }
 }
 
-TEST(LayOutGrid, RefusesBoundsThatAreNone)
+TEST(SetUpGrid, RefusesBoundsThatAreNone)
 {
   constexpr Parameter bounds = Parameter::samplingBounds;
   expectRefused(GridRequest(), "bounds", bounds);
@@ -183,7 +183,7 @@ TEST(LayOutGrid, RefusesBoundsThatAreNone)
   expectRefused(over({1, 1, 1}, {1, 1, 1}), "single point", bounds);
 }
 
-TEST(LayOutGrid, RefusesSizesThatMakeNoGrid)
+TEST(SetUpGrid, RefusesSizesThatMakeNoGrid)
 {
   const auto refuse = [](Parameter parameter, const std::string& mention, const auto& change)
   {
@@ -221,7 +221,7 @@ TEST(LayOutGrid, RefusesSizesThatMakeNoGrid)
     });
 }
 
-TEST(LayOutGrid, RefusesVoxelsThatCannotBeToldApart)
+TEST(SetUpGrid, RefusesVoxelsThatCannotBeToldApart)
 {
   GridRequest request = over({1e17, 0, 0}, {1e17 + 64, 64, 64});
   request.resolution = 64;
@@ -271,10 +271,10 @@ TEST(Grid, HasItsWholeExtentFromZeroToOneLessThanItsDimensions)
   EXPECT_EQ(grid.wholeExtent(), (winding::Extent{0, 3, 0, 4, 0, 5}));
 }
 
-TEST(LayOutGrid, RefusesGridsWhoseLengthsLeaveTheRange)
+TEST(SetUpGrid, RefusesGridsWhoseLengthsLeaveTheRange)
 {
   GridRequest request = over({-1e101, -1, -1}, {1e101, 1, 1});
-  EXPECT_EQ(layOutGrid(request).dimensions, Eigen::Vector3i(64, 1, 1));
+  EXPECT_EQ(setUpGrid(request).dimensions, Eigen::Vector3i(64, 1, 1));
   request = over({-1.01e102, -1, -1}, {0, 1, 1});
   expectRefused(request, "reaches to -1.01e+102");
   request = over({0, -1, -1}, {1.7e308, 1, 1});
@@ -286,7 +286,7 @@ TEST(LayOutGrid, RefusesGridsWhoseLengthsLeaveTheRange)
   request.padding = 1e200;
   expectRefused(request, "reaches to -1e+200");
   request = over({0, 0, 0}, {1e-100, 1e-100, 1e-100});
-  EXPECT_EQ(layOutGrid(request).dimensions, Eigen::Vector3i(64, 64, 64));
+  EXPECT_EQ(setUpGrid(request).dimensions, Eigen::Vector3i(64, 64, 64));
   request = over({0, 0, 0}, {1, 1, 1e-110});
   request.dimensions = {2, 2, 2};
   expectRefused(request, "a side of 5e-111", Parameter::voxelSize);

@@ -262,7 +262,7 @@ TEST(TouchedVoxels, HoldEveryPointOfTheSurfaceWhereverTheGridLies)
       winding::GridRequest request;
       request.bounds = shapes::clean(mesh).bounds;
       request.resolution = 23;
-      const Grid grid = winding::layOutGrid(request);
+      const Grid grid = winding::setUpGrid(request);
       const Marks marks = marksOf(mesh, grid);
       EXPECT_LT(std::count(marks.begin(), marks.end(), 1),
         static_cast<std::ptrdiff_t>(marks.size()) * 3 / 4);
@@ -296,7 +296,7 @@ TEST(TouchedVoxels, PartsAndThreadsHaveTheBitsOfTheWhole)
   winding::GridRequest request;
   request.bounds = shapes::clean(mesh).bounds;
   request.resolution = 31;
-  const Grid grid = winding::layOutGrid(request);
+  const Grid grid = winding::setUpGrid(request);
   const Marks whole = marksOf(mesh, grid);
   shapes::ShuffledThreads threads(64);
   EXPECT_EQ(marksOf(mesh, grid, grid.wholeExtent(), threads), whole);

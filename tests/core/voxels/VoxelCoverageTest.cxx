@@ -83,7 +83,7 @@ Grid gridOf(const Field& field, const Eigen::Vector3i& dimensions)
   request.bounds = field.info().bounds;
   request.padding = 0.07;
   request.dimensions = dimensions;
-  return winding::layOutGrid(request);
+  return winding::setUpGrid(request);
 }
 
 std::vector<unsigned char> overlapOf(const Field& field, const Grid& grid, const Extent& extent,

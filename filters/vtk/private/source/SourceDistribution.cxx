@@ -14,10 +14,10 @@ SourceDistribution sourceDistribution(int number)
   return static_cast<SourceDistribution>(number);
 }
 
-void askForPart(vtkInformation* source, const Ranks& ranks, SourceDistribution distribution)
+void requestPart(vtkInformation* source, const Ranks& ranks, SourceDistribution distribution)
 {
   const bool isWhole = distribution == SourceDistribution::replicated;
-  askForPiece(source, isWhole ? 0 : ranks.rank(), isWhole ? 1 : ranks.count());
+  requestPiece(source, isWhole ? 0 : ranks.rank(), isWhole ? 1 : ranks.count());
 }
 
 } // namespace winding

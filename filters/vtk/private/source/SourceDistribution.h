@@ -26,6 +26,6 @@ enum class SourceDistribution
 SourceDistribution sourceDistribution(int number);
 
 /// Asks upstream for the part of a source that a rank is to have.
-void askForPart(vtkInformation* source, const Ranks& ranks, SourceDistribution distribution);
+void requestPart(vtkInformation* source, const Ranks& ranks, SourceDistribution distribution);
 
 } // namespace winding

@@ -237,7 +237,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> asBlocks(
   return blocks;
 }
 
-void askForPiece(vtkInformation* source, int piece, int pieces)
+void requestPiece(vtkInformation* source, int piece, int pieces)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   source->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);

@@ -66,6 +66,6 @@ vtkSmartPointer<vtkMultiBlockDataSet> asBlocks(
 
 /// Asks upstream for a piece of a source, whatever piece of the result was asked for; for all of it
 /// unless there are several pieces.
-void askForPiece(vtkInformation* source, int piece, int pieces);
+void requestPiece(vtkInformation* source, int piece, int pieces);
 
 } // namespace winding

@@ -28,7 +28,7 @@ constexpr std::size_t trianglesAhead = 16;
  * ask(id) for the corners of the triangle some places ahead whose ids are valid.
  */
 template <class Ask>
-void askAhead(const TrianglesView& view, std::size_t triangle, std::size_t end, const Ask& ask)
+void prefetch(const TrianglesView& view, std::size_t triangle, std::size_t end, const Ask& ask)
 {
   if (triangle + trianglesAhead < end)
   {
@@ -46,7 +46,7 @@ void askAhead(const TrianglesView& view, std::size_t triangle, std::size_t end, 
 /// Asks memory for the items of the corners of a triangle some places behind one. To be called for
 /// triangles in their order; all ids are valid.
 template <class Item>
-void askForCornersAhead(const Item* items, const TriangleList& triangles, std::size_t triangle)
+void prefetchCorners(const Item* items, const TriangleList& triangles, std::size_t triangle)
 {
   if (triangle + trianglesAhead < triangles.size())
   {
