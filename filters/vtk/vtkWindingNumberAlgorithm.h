@@ -413,7 +413,7 @@ public:
   /// The longest time that an execution may be expected to take, in seconds, by ExpectedSeconds.
   /// Longer ones are refused after a second of evaluating, with what would be faster. An execution
   /// that is expected to take more than a minute says so in a warning. 0 stands for no limit. 0 or
-  /// more, default 600.
+  /// more, default 0.
   vtkSetMacro(LongestExpectedTime, double);
   vtkGetMacro(LongestExpectedTime, double);
   ///@}
@@ -640,7 +640,7 @@ protected:
   double WindingThreshold = 0.5;
   int InsideRule = SIGNED;
   int NumberOfThreads = 0;
-  double LongestExpectedTime = 600;
+  double LongestExpectedTime = 0;
   int SourceDistribution = DISTRIBUTION_AUTOMATIC;
   int SourceKind = NO_SOURCE;
   int Status = NOT_RUN;

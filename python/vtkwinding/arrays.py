@@ -12,7 +12,7 @@ tolerance: the largest error that an approximation may make; default 0.001.
 threshold, rule: inside is w >= threshold ('signed'), |w| >= threshold ('absolute') or where the
     integer nearest to w is odd ('odd'); default 0.5 and 'signed'.
 n_threads: the most threads to use; default None, for all. It changes no result.
-longest_expected_time: seconds; work expected to take longer is refused after one; default 600.
+longest_expected_time: seconds; work expected to take longer is refused; default 0, for no limit.
 as_points: whether a surface is taken as the cloud of its vertices; default False.
 orient_faces, ignore_open_parts: for surfaces; default False.
 estimate_normals, normal_estimation, n_neighbors, regularization: for clouds; default False, 'auto'

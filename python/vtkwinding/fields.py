@@ -184,7 +184,7 @@ class Field:
                  normals: ArrayLike | None = None, areas: ArrayLike | None = None,
                  method: str = "auto", tolerance: float = 1e-3, threshold: float = 0.5,
                  rule: str = "signed", n_threads: int | None = None,
-                 longest_expected_time: float = 600, as_points: bool = False,
+                 longest_expected_time: float = 0, as_points: bool = False,
                  orient_faces: bool = False, ignore_open_parts: bool = False,
                  mirror: str | None = None, flat_base: str | None = None,
                  sheet_side: str | None = None, weld_tolerance: float = 0,

@@ -18,6 +18,7 @@ from options import options_in  # noqa: E402
 
 # Panels may begin with another value than a property, where a picture is what their users want.
 OTHER_DEFAULTS = {("SurfaceReport", "FaultThickness"),
+                  ("WindingNumberAlgorithm", "LongestExpectedTime"),
                   ("WindingNumberGridAlgorithm", "Resolution"),
                   ("WindingNumberAlgorithm", "EstimateNormals"), ("PointAreas", "EstimateNormals")}
 # Several classes have properties of these names, which mean different things.

@@ -236,6 +236,7 @@ ENUMERATIONS = {
 # faults must be seen on their surface, and nobody waits for the eightfold voxels that keep thin
 # parts, or asks for normals of a bare cloud.
 DEFAULTS_OF_PANELS = {
+    "LongestExpectedTime": "600",
     "Resolution": "128",
     "NormalsArray": "Active Normals",
     "RegionArray": "None",
