@@ -82,12 +82,8 @@ private:
   double shift_, scale_;
 };
 
-template <class Private> constexpr bool isNumber(Private choice, int number)
-{
-  return static_cast<int>(choice) == number;
-}
-
 // The choices of properties become choices of helpers and of the core by their numbers.
+using winding::isNumber;
 using Filter = vtkWindingNumberAlgorithm;
 static_assert(isNumber(winding::Outcome::done, Filter::DONE));
 static_assert(isNumber(winding::Outcome::refused, Filter::REFUSED));

@@ -39,12 +39,8 @@
 namespace
 {
 
-template <class Private> constexpr bool isNumber(Private choice, int number)
-{
-  return static_cast<int>(choice) == number;
-}
-
 // The property becomes the core's choice by its number.
+using winding::isNumber;
 using Filter = vtkWindingNumberBoolean;
 static_assert(isNumber(winding::BooleanOperation::unite, Filter::UNION));
 static_assert(isNumber(winding::BooleanOperation::intersect, Filter::INTERSECTION));

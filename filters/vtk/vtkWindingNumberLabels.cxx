@@ -36,12 +36,8 @@
 namespace
 {
 
-template <class Private> constexpr bool isNumber(Private choice, int number)
-{
-  return static_cast<int>(choice) == number;
-}
-
 // The property becomes the helper's choice by its number.
+using winding::isNumber;
 using Filter = vtkWindingNumberLabels;
 static_assert(isNumber(winding::OverlapRule::first, Filter::FIRST));
 static_assert(isNumber(winding::OverlapRule::last, Filter::LAST));

@@ -28,12 +28,8 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 namespace
 {
 
-template <class Private> constexpr bool isNumber(Private choice, int number)
-{
-  return static_cast<int>(choice) == number;
-}
-
 // Properties become the core's choices by their numbers.
+using winding::isNumber;
 using Filter = vtkWindingNumberSurfaceAlgorithm;
 static_assert(isNumber(winding::Features::smooth, Filter::SMOOTH));
 static_assert(isNumber(winding::Features::sharp, Filter::SHARP));

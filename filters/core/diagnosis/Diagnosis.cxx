@@ -5,7 +5,6 @@
 #include "base/Digits.h"
 #include "cloud/CloudOrientation.h"
 #include "diagnosis/InsideOutAdvice.h"
-#include "source/CompareCoordinates.h"
 #include "source/CoordinateOrder.h"
 #include "source/UnitScale.h"
 #include "sums/DirectSum.h"
@@ -501,22 +500,6 @@ bool Diagnosis::hasInwardPart(Executor& executor) const
   return *hasInwardPart_;
 }
 
-/// Returns whether a triangle comes before another one, by the coordinates of its lowest corners.
-static bool isBefore(const Surface& surface, const Triangle& a, const Triangle& b)
-{
-  const Triangle first = lowestFirst(surface.vertices, a),
-                 second = lowestFirst(surface.vertices, b);
-  for (int i = 0; i < 3; ++i)
-  {
-    const int order = compareCoordinates(surface.vertices[first[i]], surface.vertices[second[i]]);
-    if (order != 0)
-    {
-      return order < 0;
-    }
-  }
-  return false;
-}
-
 /// Returns whether any part of a closed surface has a negative volume, and lies in no other.
 bool Diagnosis::hasInwardSolid(Executor& executor) const
 {
@@ -560,7 +543,8 @@ bool Diagnosis::hasInwardSolid(Executor& executor) const
     // The lowest corner decides between equal areas.
     if (area > part.areaOfLargest ||
         (area == part.areaOfLargest && part.largest >= 0 &&
-          isBefore(surface, t, chain[static_cast<std::size_t>(part.largest)])))
+          compareTriangles(surface.vertices, t,
+            lowestFirst(surface.vertices, chain[static_cast<std::size_t>(part.largest)])) < 0))
     {
       part.largest = static_cast<std::int32_t>(i);
       part.areaOfLargest = area;

@@ -25,6 +25,12 @@
 namespace winding
 {
 
+/// Returns whether a property has this number for a choice, as filters assert for each of theirs.
+template <class Choice> constexpr bool isNumber(Choice choice, int number)
+{
+  return static_cast<int>(choice) == number;
+}
+
 /// The ways to the areas of a cloud's points. The core knows what it has to find itself (voronoi,
 /// constant), and InputViews knows what the input has.
 enum class PointAreasFrom
