@@ -2,19 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "laboratory/Shapes.h"
-
 #include "base/Evaluator.h"
 #include "base/Executor.h"
+#include "base/Views.h"
 #include "source/Grid.h"
 #include "source/PointCloud.h"
 #include "source/Surface.h"
 
 #include <benchmark/benchmark.h>
 
+#include <cstdint>
+#include <vector>
+
 /**
  * @file
- * Threads, inputs and reports of the benchmarks; their shapes are in laboratory/Shapes.h.
+ * Threads, inputs and reports of the benchmarks.
  */
 
 /// Runs blocks on a number of threads.
@@ -31,8 +33,31 @@ private:
   int threads_;
 };
 
-/// The sphere of Shapes.h, with common points.
+/// Coordinates and triangles of a mesh in double precision, as the core's views take them.
+struct Triangles
+{
+  std::vector<double> coordinates; ///< x y z of each point
+  std::vector<std::int64_t> ids;   ///< three points of each triangle
+
+  std::size_t points() const { return coordinates.size() / 3; }
+  std::size_t triangles() const { return ids.size() / 3; }
+
+  /// Returns a view of these arrays, which must not change while it is used.
+  winding::TrianglesView view() const
+  {
+    return {{coordinates.data(), this->points()}, {ids.data(), this->triangles()}};
+  }
+};
+
+/// Makes a closed sphere of 2 n² triangles whose radius varies, without common points, as in a
+/// .stl file. `n` is at least 3.
+Triangles lumpySphere(int n);
+
+/// Makes the same sphere with common points.
 winding::Surface weldedSphere(int n);
+
+/// Returns `surface` without every `period`-th triangle, from the first one on; each leaves a hole.
+winding::Surface withHoles(const winding::Surface& surface, std::size_t period);
 
 /// The centres of the triangles, with their normals and areas; none for triangles without area.
 winding::PointCloud centroids(const winding::Surface& surface);
