@@ -109,13 +109,14 @@ def show_clip(view, scan, _):
 
 def show_report(view, scan, _):
     show(view, scan, -1.3)
-    report = simple.SurfaceReport(Input=scan)
+    report = simple.WindingNumberReport(Input=scan)
     show(view, simple.OutputPort(report, 0), 1.3, Opacity=0.4)
     show(view, simple.OutputPort(report, 1), 1.3, RED, LineWidth=4)
 
 
 def show_areas(view, _, cloud):
-    display = show(view, simple.PointAreas(Input=cloud), Representation="Points", PointSize=5)
+    normals = simple.WindingNumberNormals(Input=cloud)
+    display = show(view, normals, Representation="Points", PointSize=5)
     view.CameraPosition, view.CameraParallelScale = (0, 0, 20), 3.7
     color_by(view, display, "Area", 0.02, 0.12, "Viridis (matplotlib)")
 
@@ -128,8 +129,8 @@ PICTURES = {
     "WindingNumberLabels": show_labels,
     "WindingNumberProbe": show_probe,
     "WindingNumberClip": show_clip,
-    "SurfaceReport": show_report,
-    "PointAreas": show_areas,
+    "WindingNumberReport": show_report,
+    "WindingNumberNormals": show_areas,
 }
 
 

@@ -44,9 +44,7 @@ bool isEmpty(const Extent& extent)
 bool isOfPlugin(vtkSMProxy* proxy)
 {
   const char* const name = proxy ? proxy->GetVTKClassName() : nullptr;
-  return name &&
-         (std::strncmp(name, "vtkWindingNumber", 16) == 0 ||
-           std::strcmp(name, "vtkSurfaceReport") == 0 || std::strcmp(name, "vtkPointAreas") == 0);
+  return name && std::strncmp(name, "vtkWindingNumber", 16) == 0;
 }
 
 /// Returns the array of points or cells of that name; null if the data has none.

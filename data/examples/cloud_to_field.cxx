@@ -7,8 +7,8 @@
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkSourceReader.h>
 #include <vtkWindingNumberField.h>
+#include <vtkWindingNumberReader.h>
 #include <vtkXMLImageDataWriter.h>
 
 #include <cstdlib>
@@ -22,7 +22,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  vtkNew<vtkSourceReader> reader; // lines of x y z or x y z nx ny nz
+  vtkNew<vtkWindingNumberReader> reader; // lines of x y z or x y z nx ny nz
   reader->SetFileName(argv[1]);
 
   vtkNew<vtkWindingNumberField> field;

@@ -28,7 +28,7 @@
  *   Where a file names them, parts of one name are one, with labels in the order of the names:
  *   the first of objects, solids and groups that do not divide a part, or else materials, if each
  *   part has another one. Names are the cell arrays "ObjectIds", "SolidIds", "GroupIds" and
- *   "MaterialIds" of vtkSourceReader, with "ObjectNames" and so on in the field data.
+ *   "MaterialIds" of vtkWindingNumberReader, with "ObjectNames" and so on in the field data.
  *
  * Each solid is a surface or a cloud as vtkWindingNumberAlgorithm says, and need not be closed: its
  * winding number decides.

@@ -46,10 +46,10 @@ def main(root):
     for name, text in (("README.md", f"It reads `{shown}`"),
                        ("docs/guide.md", f"It reads `{shown}`"),
                        ("docs/guide.md", f"images and grids `{images}`"),
-                       ("docs/guide.md", f"| `vtkSourceReader` | `{classes}` ")):
+                       ("docs/guide.md", f"| `vtkWindingNumberReader` | `{classes}` ")):
         if text not in " ".join((root / name).read_text().split()):
             faults.append(f"{name} does not say: {text}")
-    for name in ("filters/io/vtkSourceReader.h", "filters/c/winding.h", "docs/library.md"):
+    for name in ("filters/io/vtkWindingNumberReader.h", "filters/c/winding.h", "docs/library.md"):
         text = (root / name).read_text()
         faults += [f"{name} does not name {suffix}" for suffix in read if suffix not in text]
     print(f"{len(all_inputs)} formats")

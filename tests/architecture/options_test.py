@@ -17,16 +17,17 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from options import options_in  # noqa: E402
 
 # Panels may begin with another value than a property, where a picture is what their users want.
-OTHER_DEFAULTS = {("SurfaceReport", "FaultThickness"),
+OTHER_DEFAULTS = {("WindingNumberReport", "FaultThickness"),
                   ("WindingNumberAlgorithm", "LongestExpectedTime"),
                   ("WindingNumberGridAlgorithm", "Resolution"),
-                  ("WindingNumberAlgorithm", "EstimateNormals"), ("PointAreas", "EstimateNormals")}
+                  ("WindingNumberAlgorithm", "EstimateNormals"),
+                  ("WindingNumberNormals", "EstimateNormals")}
 # Several classes have properties of these names, which mean different things.
 AMBIGUOUS = {"ResultArrayName", "PointAreaMethod"}
 # Each rank may have its own of these: they change no result (docs/scale.md).
 NOT_HASHED = {"NumberOfThreads", "LongestExpectedTime", "VerifySamples"}
 # What these classes refuse.
-NOT_CHOSEN = {("vtkImplicitWindingNumber", "ROWS"), ("vtkPointAreas", "ARRAY")}
+NOT_CHOSEN = {("vtkImplicitWindingNumber", "ROWS"), ("vtkWindingNumberNormals", "ARRAY")}
 # What the hash of a filter's properties is made of.
 HASHED = "HashProperties|GetSourceOptions|GetResultOptions|WantsDistances|SamplesCells|KeepsPart"
 

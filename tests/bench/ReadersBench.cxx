@@ -16,7 +16,7 @@
 #include "vtkSMPTools.h"
 #include "vtkSTLReader.h"
 #include "vtkSmartPointer.h"
-#include "vtkSourceReader.h"
+#include "vtkWindingNumberReader.h"
 
 #include <algorithm>
 #include <chrono>
@@ -103,7 +103,7 @@ template <class Read> void measureOnThreads(const std::string& fileName, int all
 void measureFile(const std::string& fileName, int all)
 {
   const std::string suffix = std::filesystem::path(fileName).extension().string();
-  measureOnThreads(fileName, all, readBy<vtkSourceReader>);
+  measureOnThreads(fileName, all, readBy<vtkWindingNumberReader>);
   if (suffix == ".obj")
   {
     measure(fileName, "VTK", readBy<vtkOBJReader>);

@@ -13,19 +13,19 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
-#include "vtkPointAreas.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkSurfaceReport.h"
 #include "vtkTypeInt16Array.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberNormals.h"
 #include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberReport.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
 
@@ -413,7 +413,7 @@ TEST_P(CellStorage, MakesNoDifferenceToTheSurface)
       vtkNew<vtkWindingNumberSurface> surface;
       surface->SetInputData(source);
       surface->SetResolution(32);
-      vtkNew<vtkSurfaceReport> report;
+      vtkNew<vtkWindingNumberReport> report;
       report->SetInputConnection(surface->GetOutputPort());
       report->Update();
       EXPECT_TRUE(report->GetClosed());
@@ -432,7 +432,7 @@ TEST_P(CellStorage, MakesNoDifferenceToVoxels)
       field->SetResolution(16);
       vtkNew<vtkWindingNumberVoxels> voxels;
       voxels->SetInputConnection(field->GetOutputPort());
-      vtkNew<vtkSurfaceReport> report; // of quads that VTK itself puts into storage
+      vtkNew<vtkWindingNumberReport> report; // of quads that VTK itself puts into storage
       report->SetInputConnection(voxels->GetOutputPort());
       report->Update();
       EXPECT_TRUE(report->GetClosed());
@@ -500,9 +500,9 @@ TEST_P(CellStorage, MakesNoDifferenceToAreasAndClouds)
   this->expectTheSame(
     [](vtkPointSet* source)
     {
-      vtkNew<vtkPointAreas> areas;
+      vtkNew<vtkWindingNumberNormals> areas;
       areas->SetInputData(source);
-      areas->SetPointAreaMethod(vtkPointAreas::MESH);
+      areas->SetPointAreaMethod(vtkWindingNumberNormals::MESH);
       Numbers numbers = outputsOf(areas);
       EXPECT_NEAR(areas->GetTotalArea(), 4 * pi * pi * radius * tubeRadius, 0.7);
       vtkNew<vtkWindingNumberField> field;
@@ -545,7 +545,7 @@ TEST_P(CellStorage, MakesNoDifferenceToTheReport)
   }
   const auto reportOn = [&](Storage storage)
   {
-    vtkNew<vtkSurfaceReport> report;
+    vtkNew<vtkWindingNumberReport> report;
     report->SetInputData(meshOf(GetParam(), cells, storage));
     report->FixOrientationOn();
     Numbers numbers = outputsOf(report);

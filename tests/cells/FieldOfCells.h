@@ -10,8 +10,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkSurfaceReport.h"
 #include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberReport.h"
 
 #include <gtest/gtest.h>
 
@@ -19,10 +19,10 @@
 #include <string>
 #include <vector>
 
-inline vtkSmartPointer<vtkSurfaceReport> reportOn(
+inline vtkSmartPointer<vtkWindingNumberReport> reportOn(
   vtkDataObject* mesh, bool usesSurfaceCells = false)
 {
-  auto report = vtkSmartPointer<vtkSurfaceReport>::New();
+  auto report = vtkSmartPointer<vtkWindingNumberReport>::New();
   report->SetUseSurfaceCells(usesSurfaceCells);
   report->SetInputDataObject(mesh);
   report->Update();

@@ -10,7 +10,6 @@
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkPointAreas.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -18,6 +17,7 @@
 #include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberLabels.h"
+#include "vtkWindingNumberNormals.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
@@ -212,8 +212,8 @@ TEST(Workers, WithoutMemoryLeaveAWholeResultOrNone)
           probe->SetSourceData(sphere);
           probe->SetGenerateSignedDistance(true);
         });
-      failed += expectWholeOrNone<vtkPointAreas>(
-        [&](vtkPointAreas* areas) { areas->SetInputData(sphere); });
+      failed += expectWholeOrNone<vtkWindingNumberNormals>(
+        [&](vtkWindingNumberNormals* areas) { areas->SetInputData(sphere); });
     });
   RecordProperty("failed", std::to_string(failed));
   EXPECT_GT(failed, 100);

@@ -16,11 +16,9 @@
 #include "vtkOutputWindow.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkPointAreas.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSurfaceReport.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedShortArray.h"
@@ -28,7 +26,9 @@
 #include "vtkWindingNumberClip.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberLabels.h"
+#include "vtkWindingNumberNormals.h"
 #include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberReport.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
 
@@ -233,7 +233,7 @@ void sampleField(Choices& choices, vtkPointSet* data)
 
 void findAreas(Choices& choices, vtkPointSet* data)
 {
-  vtkNew<vtkPointAreas> areas;
+  vtkNew<vtkWindingNumberNormals> areas;
   areas->SetPointAreaMethod(choices.below(3));
   areas->SetEstimateNormals(choices.oneIn(2));
   areas->SetNormalEstimation(choices.below(3));
@@ -401,7 +401,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     fillVoxels(choices, data);
     break;
   case 3:
-    run<vtkSurfaceReport>(data);
+    run<vtkWindingNumberReport>(data);
     break;
   case 4:
     findAreas(choices, data);

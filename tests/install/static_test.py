@@ -24,7 +24,7 @@ PROGRAM = """\
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkCellArray.h>
-#include <vtkSourceReader.h>
+#include <vtkWindingNumberReader.h>
 #include <vtkWindingNumberField.h>
 
 int main()
@@ -47,7 +47,7 @@ int main()
   field->SetInputData(tetrahedron);
   field->SetSamplingDimensions(5, 5, 5);
   field->Update();
-  vtkNew<vtkSourceReader> reader;
+  vtkNew<vtkWindingNumberReader> reader;
   reader->SetFileName("there is none.obj");
   reader->GlobalWarningDisplayOff();
   reader->Update();

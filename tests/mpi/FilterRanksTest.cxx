@@ -12,14 +12,14 @@
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
-#include "vtkPointAreas.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkSurfaceReport.h"
 #include "vtkWindingNumberBoolean.h"
+#include "vtkWindingNumberNormals.h"
 #include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberReport.h"
 #include "vtkWindingNumberSurface.h"
 
 #include <gtest/gtest.h>
@@ -250,9 +250,10 @@ TEST(ReportOnRanks, CountsTheWholeOnEachRank)
   for (const auto& [name, mesh] : meshes())
   {
     SCOPED_TRACE(name);
-    const auto expected = filterOf<vtkSurfaceReport>(partOf(mesh, whole, 0, 1), true);
+    const auto expected = filterOf<vtkWindingNumberReport>(partOf(mesh, whole, 0, 1), true);
     expected->Update();
-    const auto found = filterOf<vtkSurfaceReport>(partOf(mesh, deals()[1], rank(), ranks()), false);
+    const auto found =
+      filterOf<vtkWindingNumberReport>(partOf(mesh, deals()[1], rank(), ranks()), false);
     updatePiece(found);
     EXPECT_EQ(found->GetNumberOfTriangles(), static_cast<vtkIdType>(mesh.triangles.size()));
     EXPECT_EQ(found->GetNumberOfBoundaryEdges(), expected->GetNumberOfBoundaryEdges());
@@ -265,16 +266,16 @@ TEST(ReportOnRanks, CountsTheWholeOnEachRank)
 
 TEST(ReportOnRanks, WithOtherPropertiesIsRefusedOnAll)
 {
-  const auto report =
-    filterOf<vtkSurfaceReport>(partOf(shapes::icosphere(1), deals()[0], rank(), ranks()), false);
+  const auto report = filterOf<vtkWindingNumberReport>(
+    partOf(shapes::icosphere(1), deals()[0], rank(), ranks()), false);
   report->SetFaultThickness(rank() == 0 ? 0.01 : 0.02);
   expectDifferentProperties(report);
 }
 
 TEST(ReportOnRanks, RefusesToTurnFacesThatOthersHave)
 {
-  const auto report =
-    filterOf<vtkSurfaceReport>(partOf(shapes::icosphere(1), deals()[0], rank(), ranks()), false);
+  const auto report = filterOf<vtkWindingNumberReport>(
+    partOf(shapes::icosphere(1), deals()[0], rank(), ranks()), false);
   report->SetFixOrientation(true);
   const ErrorLog log(report);
   updatePiece(report);
@@ -323,7 +324,7 @@ TEST(AreasOnRanks, NormalsOfOwnPointsAreThoseOfOneRank)
   {
     const vtkSmartPointer<vtkPolyData> points = pointsOf(mesh, deal, of, ranks);
     points->GetPointData()->Initialize();
-    auto areas = filterOf<vtkPointAreas>(points, alone);
+    auto areas = filterOf<vtkWindingNumberNormals>(points, alone);
     areas->EstimateNormalsOn();
     return areas;
   };
@@ -360,14 +361,15 @@ TEST(AreasOnRanks, NormalsOfOwnPointsAreThoseOfOneRank)
 TEST(AreasOnRanks, OfOwnPointsAreThoseOfOneRank)
 {
   const Mesh mesh = shapes::icosphere(3);
-  const auto expected = filterOf<vtkPointAreas>(pointsOf(mesh, whole, 0, 1), true);
+  const auto expected = filterOf<vtkWindingNumberNormals>(pointsOf(mesh, whole, 0, 1), true);
   expected->Update();
   const auto* all = vtkDoubleArray::SafeDownCast(
     vtkPolyData::SafeDownCast(expected->GetOutputDataObject(0))->GetPointData()->GetArray("Area"));
   for (const Deal& deal : deals())
   {
     SCOPED_TRACE(deal.name);
-    const auto found = filterOf<vtkPointAreas>(pointsOf(mesh, deal, rank(), ranks()), false);
+    const auto found =
+      filterOf<vtkWindingNumberNormals>(pointsOf(mesh, deal, rank(), ranks()), false);
     updatePiece(found);
     auto* own = vtkDoubleArray::SafeDownCast(
       vtkPolyData::SafeDownCast(found->GetOutputDataObject(0))->GetPointData()->GetArray("Area"));

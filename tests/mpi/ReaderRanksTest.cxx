@@ -7,8 +7,8 @@
 #include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
-#include "vtkSourceReader.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberReader.h"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ TEST(ReaderOnRanks, SharesTheCoresOfItsHost)
     points += std::to_string(i) + ".25,0.5,1.75\n";
   }
   const TemporaryFile file(points, ".csv");
-  vtkNew<vtkSourceReader> reader;
+  vtkNew<vtkWindingNumberReader> reader;
   reader->SetFileName(file.name());
   int least = threads; // the first and the last event come from the executive
   vtkNew<vtkCallbackCommand> look;

@@ -66,7 +66,7 @@ class TestColors(unittest.TestCase):
             simple.Render(self.view)
 
     def test_faults_are_colored_by_kind_with_a_legend_in_words(self):
-        report = simple.SurfaceReport(Input=simple.Sphere(EndPhi=90))
+        report = simple.WindingNumberReport(Input=simple.Sphere(EndPhi=90))
         display = simple.Show(simple.OutputPort(report, 1), self.view)
         self.assertEqual(list(display.ColorArrayName), ["CELLS", "FaultKind"])
         colors = simple.GetColorTransferFunction("FaultKind")

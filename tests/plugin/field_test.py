@@ -204,7 +204,7 @@ class TestField(unittest.TestCase):
         sphere = unit_sphere()
         field = simple.WindingNumberField(Input=sphere, Resolution=22)
         surface = simple.WindingNumberSurface(Input=sphere, Resolution=22)
-        report = simple.SurfaceReport(Input=sphere)
+        report = simple.WindingNumberReport(Input=sphere)
         track = simple.GetAnimationTrack("Radius", proxy=sphere)
         first, last = simple.CompositeKeyFrame(), simple.CompositeKeyFrame()
         first.KeyTime, first.KeyValues = 0, [1]

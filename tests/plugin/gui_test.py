@@ -44,7 +44,7 @@ INPUTS = {
 # What makes the first input of filters with two, by the name of the second one, which is the scan.
 FIRST_INPUTS = {"Source": "add_plane", "Others": "add_ball"}
 # The array by which a result is to be coloured, where it looks like its input otherwise.
-COLORS = {"PointAreas": "Area", "WindingNumberBoolean": "Operand"}
+COLORS = {"WindingNumberNormals": "Area", "WindingNumberBoolean": "Operand"}
 
 # Seconds after which a window that waits for a click nobody plays is ended: plays take 10 to 40.
 LONGEST_PLAY = 250

@@ -76,7 +76,7 @@ class TestPanel(unittest.TestCase):
         field.UpdatePipeline()
         self.assertNotEqual(field.GetPropertyValue("ExpectedMemory"), memory)
         self.assertGreater(field.GetPropertyValue("NumberOfInsideSamples"), 10 * inside)
-        report = simple.SurfaceReport(Input=simple.Sphere(EndTheta=180))
+        report = simple.WindingNumberReport(Input=simple.Sphere(EndTheta=180))
         report.UpdatePipeline()
         before = report.GetPropertyValue("Advice")
         report.Input = simple.Sphere()
@@ -197,7 +197,7 @@ class TestPanel(unittest.TestCase):
                     self.assertEqual(is_enabled(voxels, name), expected, (source, voxels.ByLabel))
 
     def test_areas_show_what_their_method_needs(self):
-        areas = simple.PointAreas(Input=self.cloud)
+        areas = simple.WindingNumberNormals(Input=self.cloud)
         needed = {
             "Voronoi": {"NumberOfNeighbors", "EstimateNormals"},
             "Mesh": set(),
@@ -206,7 +206,7 @@ class TestPanel(unittest.TestCase):
         for method, properties in needed.items():
             areas.PointAreaMethod = method
             optional = {"NumberOfNeighbors", "EstimateNormals", "PointArea"}
-            self.assertEqual(shown(areas, "Point Areas") & optional, properties)
+            self.assertEqual(shown(areas, "Winding Number Normals") & optional, properties)
         self.assertEqual(shown(areas, "Last Execution"), set())
         areas.PointAreaMethod = "Voronoi"
         areas.UpdatePipeline()

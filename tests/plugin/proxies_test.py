@@ -58,7 +58,7 @@ GRID = {
     "VerifySamples": (100, "100"),
 }
 SETTABLE = {
-    "SurfaceReport": {
+    "WindingNumberReport": {
         "NormalsArray": ("Orientation", "Orientation"),
         "UseSurfaceCells": (1, "1"),
         "Mirror": ("y=0", "y=0"),
@@ -144,7 +144,7 @@ SETTABLE = {
         "GenerateNearestCells": (1, "1"),
         "Mirror": ("y=0", "y=0"),
     },
-    "PointAreas": {
+    "WindingNumberNormals": {
         "PointAreaMethod": (2, "2"),
         "PointArea": (0.125, "0.125"),
         "NumberOfNeighbors": (7, "7"),
@@ -173,7 +173,7 @@ COMMON_REPORTED = {
 }
 GRID_REPORTED = COMMON_REPORTED | {"MaxError", "RMSError", "NearMaxError"}
 REPORTED = {
-    "SurfaceReport": {"Advice", "FractionalShare"},
+    "WindingNumberReport": {"Advice", "FractionalShare"},
     "WindingNumberField": GRID_REPORTED | {"NumberOfInsideSamples"},
     "WindingNumberLabels": GRID_REPORTED | {
         "LabelLegend",
@@ -187,14 +187,14 @@ REPORTED = {
     "WindingNumberProbe": COMMON_REPORTED,
     "WindingNumberClip": COMMON_REPORTED,
     "WindingNumberVoxels": set(),
-    "PointAreas": {"Status", "TotalArea", "NormalEstimationUsed", "ClearShare"},
+    "WindingNumberNormals": {"Status", "TotalArea", "NormalEstimationUsed", "ClearShare"},
 }
 LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples", "NumberOfSamplesOnSurface",
             "NumberOfSamplesBesidePoints", "MaxErrorBesidePoints", "SourceIsInsideOut",
             "Controller", "InputNames", "OtherNames", "OperandThresholds", "OperandInsideRules"}
 
 INPUTS = {
-    "SurfaceReport": {"Input"},
+    "WindingNumberReport": {"Input"},
     "WindingNumberField": {"Input", "Like"},
     "WindingNumberLabels": {"Input", "InputNames", "Like"},
     "WindingNumberSurface": {"Input"},
@@ -203,7 +203,7 @@ INPUTS = {
     "WindingNumberProbe": {"Input", "Source"},
     "WindingNumberClip": {"Input", "Source"},
     "WindingNumberVoxels": {"Input", "Source", "SelectInputScalars"},
-    "PointAreas": {"Input"},
+    "WindingNumberNormals": {"Input"},
 }
 
 # By the name of the property, where proxies differ together with that of the proxy.
@@ -215,7 +215,7 @@ ENUMERATIONS = {
     "ShellSide": {"Inward": 0, "Outward": 1, "Centered": 2},
     "Operation": {"Union": 0, "Intersection": 1, "Difference": 2, "Symmetric Difference": 3},
     "NormalEstimation": {"Automatic": 0, "Spanning Tree": 1, "Winding Consistent": 2},
-    "PointAreas.PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2},
+    "WindingNumberNormals.PointAreaMethod": {"Voronoi": 0, "Mesh": 1, "Constant": 2},
     "OutputScalarType": {"Float": 10, "Double": 11},
     "Coverage": {"Center Inside": 0, "Any Overlap": 1, "Half Inside": 2},
     "OverlapRule": {
@@ -393,7 +393,7 @@ class TestProxies(unittest.TestCase):
                 "DistanceBand": -1,
             },
             "WindingNumberProbe": {"Tolerance": -1e-3, "PointArea": -1, "NumberOfThreads": -1},
-            "PointAreas": {"PointArea": -1, "NumberOfThreads": -1},
+            "WindingNumberNormals": {"PointArea": -1, "NumberOfThreads": -1},
         }
         for name, values in refused.items():
             for member, value in values.items():
@@ -439,7 +439,7 @@ class TestProxies(unittest.TestCase):
 
     def test_filters_are_in_the_menu_and_the_toolbar_with_icons(self):
         labels = {
-            "SurfaceReport": "Surface Report",
+            "WindingNumberReport": "Winding Number Report",
             "WindingNumberField": "Winding Number Field",
             "WindingNumberLabels": "Winding Number Labels",
             "WindingNumberSurface": "Winding Number Surface",
@@ -447,7 +447,7 @@ class TestProxies(unittest.TestCase):
             "WindingNumberProbe": "Winding Number Probe",
             "WindingNumberClip": "Winding Number Clip",
             "WindingNumberVoxels": "Winding Number Voxels",
-            "PointAreas": "Point Areas",
+            "WindingNumberNormals": "Winding Number Normals",
         }
         menu = ElementTree.parse(PLUGIN / "Menu.xml").getroot()
         category = menu.find("ParaViewFilters/Category")

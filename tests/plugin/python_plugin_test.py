@@ -24,7 +24,7 @@ if not hasattr(inspect, "getargspec"):
     inspect.getargspec = inspect.getfullargspec
 """
 # Tests of the plugin in C++ that the plugin in Python has to pass as they are.
-SAME = ["areas", "boolean", "clip", "field", "labels", "probe", "readers", "report", "surface",
+SAME = ["boolean", "clip", "field", "labels", "normals", "probe", "readers", "report", "surface",
         "voxels", "words"]
 limit = 600  # seconds, on a machine that is busy
 
@@ -137,8 +137,8 @@ for group in ("filters", "sources"):
         pass
 manager = servermanager.vtkSMProxyManager.GetProxyManager()
 for group, name in (("filters", n) for n in (
-        "SurfaceReport", "WindingNumberField", "WindingNumberSurface", "WindingNumberVoxels",
-        "WindingNumberLabels", "WindingNumberProbe", "WindingNumberClip", "PointAreas")):
+        "WindingNumberReport", "WindingNumberField", "WindingNumberSurface", "WindingNumberVoxels",
+        "WindingNumberLabels", "WindingNumberProbe", "WindingNumberClip", "WindingNumberNormals")):
     declared[name] = (group, name)
 for name in ("GeomviewOFFReader", "OrientedPointsReader", "PointTableReader", "SurfaceMeshReader"):
     declared[name] = ("sources", name)
@@ -240,7 +240,7 @@ for name in ("field", "voxels", "surface", "probe"):
 mesh = simple.SurfaceMeshReader(FileName={data!r} + "/teapot.obj")
 field = simple.WindingNumberField(Input=mesh, Resolution=24)
 surface = simple.WindingNumberSurface(Input=mesh, Resolution=24)
-areas = simple.PointAreas(Input=simple.RedistributeDataSet(Input=mesh))
+areas = simple.WindingNumberNormals(Input=simple.RedistributeDataSet(Input=mesh))
 for name, proxy in (("field", field), ("surface", surface), ("areas", areas)):
     proxy.UpdatePipeline()
     information = proxy.GetDataInformation()

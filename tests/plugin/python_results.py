@@ -207,21 +207,22 @@ def of_source(name, mesh, is_cloud):
             note(f"{name} on an image, {association}, {coverage}", simple.WindingNumberField(
                 Input=mesh, Like=image_of_file(4), GenerateSignedDistance=1,
                 OutputAssociation=association, Coverage=coverage))
-    note(f"{name} report", simple.SurfaceReport(Input=mesh))
-    note(f"{name} turned", simple.SurfaceReport(Input=mesh, FixOrientation=1, FaultThickness=0))
+    note(f"{name} report", simple.WindingNumberReport(Input=mesh))
+    note(f"{name} turned", simple.WindingNumberReport(
+        Input=mesh, FixOrientation=1, FaultThickness=0))
     note(f"{name} mirrored", simple.WindingNumberField(**grid, Mirror="x=0.1 0 1 1 = 3"))
     note(f"{name} mirrored on a turned image", simple.WindingNumberField(
         Input=mesh, Like=turned_image(4), Mirror="x=0.1", FlatBase="down", SheetSide="up"))
     if not is_cloud:
         completion = {"Mirror": "y=0.05", "FlatBase": "down", "WeldTolerance": 0.01}
         note(f"{name} completed", simple.WindingNumberSurface(**grid, **completion))
-        note(f"{name} completed report", simple.SurfaceReport(Input=mesh, **completion))
+        note(f"{name} completed report", simple.WindingNumberReport(Input=mesh, **completion))
         note(f"{name} divided", simple.WindingNumberField(
             **grid, SheetSide="-z", WeldTolerance=0.01))
         note(f"{name} as points", simple.WindingNumberField(
             **grid, InputAsPoints=1, PointAreaMethod="Mesh", Regularization=1))
-    note(f"{name} areas", simple.PointAreas(Input=mesh))
-    note(f"{name} equal areas", simple.PointAreas(Input=mesh, PointAreaMethod="Constant"))
+    note(f"{name} areas", simple.WindingNumberNormals(Input=mesh))
+    note(f"{name} equal areas", simple.WindingNumberNormals(Input=mesh, PointAreaMethod="Constant"))
 
 
 # Names two objects: one ball, and two. Gives each ball a text.
@@ -337,7 +338,7 @@ def of_files(folder):
     path = os.path.join(folder, "flat.obj")
     with open(path, "w", encoding="ascii") as file:
         file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 2 2\nv 3 3 3\nf 1 2 3\nf 4 4 5\n")
-    note("areas of points of faces without area", simple.PointAreas(Input=opened(path)))
+    note("areas of points of faces without area", simple.WindingNumberNormals(Input=opened(path)))
 
 
 def of_changes():
@@ -451,15 +452,16 @@ def of_what_is_refused(ball):
         Input=simple.GroupDatasets(Input=[nothing, near]), Source=ball, GenerateFraction=1))
     strange = simple.Calculator(Input=ball, ResultArrayName="Strange",
                                 Function="if(coordsZ > 0.3, 0*Normals, Normals)")
-    note("areas without directions", simple.PointAreas(Input=strange, NormalsArray="Strange"))
+    note("areas without directions", simple.WindingNumberNormals(
+        Input=strange, NormalsArray="Strange"))
     for thickness in (-0.5, 1, 2):
-        note(f"faults of thickness {thickness}", simple.SurfaceReport(
+        note(f"faults of thickness {thickness}", simple.WindingNumberReport(
             Input=bowl, FaultThickness=thickness))
     twice = simple.AppendGeometry(Input=[inward, inward])
     numbered = simple.GenerateIds(Input=twice)
     for name, data in (("faces that are there twice", numbered),
                        ("strips", simple.TriangleStrips(Input=inward))):
-        note(f"report on {name}", simple.SurfaceReport(Input=data, FixOrientation=1))
+        note(f"report on {name}", simple.WindingNumberReport(Input=data, FixOrientation=1))
     note("a boolean of one", simple.WindingNumberBoolean(Input=ball))
     field = simple.WindingNumberField(Input=inward, Resolution=16, GenerateSignedDistance=1)
     for name, settings in (
@@ -484,9 +486,10 @@ def of_what_is_refused(ball):
     collection = simple.ConvertToPartitionedDataSetCollection(
         Input=simple.GroupDatasets(Input=[ball, far], BlockNames=["near", "far"]))
     for filter in (simple.WindingNumberField, simple.WindingNumberLabels,
-                   simple.WindingNumberBoolean, simple.SurfaceReport):
+                   simple.WindingNumberBoolean, simple.WindingNumberReport):
         note(f"{filter.__name__} of partitioned data", filter(Input=collection))
-    for filter in (simple.WindingNumberField, simple.WindingNumberSurface, simple.SurfaceReport):
+    for filter in (simple.WindingNumberField, simple.WindingNumberSurface,
+                   simple.WindingNumberReport):
         note(f"{filter.__name__} of nothing", filter(Input=nothing))
 
 
@@ -495,12 +498,12 @@ def of_points_of_few_kinds(nothing):
     for kind in (22, 24, 29):
         curved = simple.UnstructuredCellTypes(CellType=kind, BlocksDimensions=[2, 2, 2])
         for method in ("Voronoi", "Mesh", "Constant"):
-            note(f"{method} areas of curved cells {kind}", simple.PointAreas(
+            note(f"{method} areas of curved cells {kind}", simple.WindingNumberNormals(
                 Input=curved, PointAreaMethod=method))
     place = simple.PolyLineSource(Points=[1, 1, 1] * 3)
     for name, data in (("one place", place), ("nothing", nothing)):
         for estimates in (0, 1):
-            note(f"areas of {name}, {estimates}", simple.PointAreas(
+            note(f"areas of {name}, {estimates}", simple.WindingNumberNormals(
                 Input=data, EstimateNormals=estimates))
 
 
@@ -534,8 +537,8 @@ def of_parts_as_clouds(ball):
         note(f"labels by {array} of short arrays", simple.WindingNumberLabels(
             Input=short, Resolution=12, RegionArray=array))
     grid = simple.AppendDatasets(Input=short)
-    for filter in (simple.WindingNumberLabels, simple.WindingNumberField, simple.PointAreas,
-                   simple.SurfaceReport):
+    for filter in (simple.WindingNumberLabels, simple.WindingNumberField,
+                   simple.WindingNumberNormals, simple.WindingNumberReport):
         note(f"{filter.__name__} of a grid with short arrays", filter(Input=grid))
 
 
@@ -575,7 +578,7 @@ output.SetPolys(vtkCellArray())
     for name, data in (("polydata", lines), ("a grid", simple.AppendDatasets(Input=lines))):
         group = simple.GroupDatasets(Input=[data, ball, data])
         for fix in (0, 1):
-            note(f"report on lines of {name} next to a ball, {fix}", simple.SurfaceReport(
+            note(f"report on lines of {name} next to a ball, {fix}", simple.WindingNumberReport(
                 Input=group, FixOrientation=fix))
         note(f"labels of lines of {name} next to a ball", simple.WindingNumberLabels(Input=group))
         for as_points, other in enumerate((points, ball)):
@@ -584,7 +587,8 @@ output.SetPolys(vtkCellArray())
                 Resolution=12))
         note(f"boolean of lines of {name}", simple.WindingNumberBoolean(
             Input=ball, Others=data, Resolution=12))
-        for filter in (simple.WindingNumberField, simple.WindingNumberLabels, simple.PointAreas):
+        for filter in (simple.WindingNumberField, simple.WindingNumberLabels,
+                       simple.WindingNumberNormals):
             note(f"{filter.__name__} of lines of {name}", filter(
                 Input=simple.GroupDatasets(Input=[data, data])))
     loose = simple.ProgrammableFilter(
@@ -618,12 +622,12 @@ def of_numbers_out_of_range(ball):
         labels.SMProxy.GetProperty(name).SetElement(0, value)
         labels.SMProxy.UpdateVTKObjects()
         note(f"labels with {name} {value}", labels)
-    areas = simple.PointAreas(Input=ball)
+    areas = simple.WindingNumberNormals(Input=ball)
     areas.SMProxy.GetProperty("PointAreaMethod").SetElement(0, 3)
     areas.SMProxy.UpdateVTKObjects()
     note("areas of another method", areas)
     named = simple.ProgrammableFilter(Input=ball, Script=NAMES)
-    note("a report that is refused has no names", simple.SurfaceReport(
+    note("a report that is refused has no names", simple.WindingNumberReport(
         Input=named, FaultThickness=2))
 
 

@@ -63,8 +63,8 @@ def run(source, deal):
     filters = {
         "field": field,
         "probe": probe,
-        "report": simple.SurfaceReport(Input=source),
-        "areas": simple.PointAreas(Input=source),
+        "report": simple.WindingNumberReport(Input=source),
+        "areas": simple.WindingNumberNormals(Input=source),
     }
     for name, proxy in filters.items():
         look_on_each_rank(proxy, f"{deal}.{name}")

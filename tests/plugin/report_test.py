@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The filter Surface Report in ParaView."""
+"""The filter Winding Number Report in ParaView."""
 import unittest
 
 from paraview import simple
@@ -10,12 +10,12 @@ from support import (errors_of, information, points_source, result, run_tests, s
                      unit_sphere, warnings_of)
 
 
-class TestSurfaceReport(unittest.TestCase):
+class TestWindingNumberReport(unittest.TestCase):
     def count(self, data, name):
         return data.GetFieldData().GetArray(name).GetTuple1(0)
 
     def test_counts_are_field_data(self):
-        report = simple.SurfaceReport(Input=unit_sphere())
+        report = simple.WindingNumberReport(Input=unit_sphere())
         data = result(report)
         self.assertEqual(data.GetNumberOfPoints(), result(unit_sphere()).GetNumberOfPoints())
         self.assertEqual(self.count(data, "closed"), 1)
@@ -27,14 +27,14 @@ class TestSurfaceReport(unittest.TestCase):
         self.assertEqual(information(report, "Advice"), advice)
 
     def test_the_information_tab_has_the_counts(self):
-        report = simple.SurfaceReport(Input=unit_sphere())
+        report = simple.WindingNumberReport(Input=unit_sphere())
         report.UpdatePipeline()
         arrays = report.FieldData
         self.assertEqual(arrays["nonmanifold_edges"].GetRange(), (0, 0))
         self.assertIn("advice", arrays.keys())
 
     def test_the_spreadsheet_has_the_counts(self):
-        report = simple.SurfaceReport(Input=simple.Sphere(EndPhi=90))
+        report = simple.WindingNumberReport(Input=simple.Sphere(EndPhi=90))
         view = simple.CreateView("SpreadSheetView")
         simple.Show(report, view)
         view.FieldAssociation = "Field Data"
@@ -47,13 +47,13 @@ class TestSurfaceReport(unittest.TestCase):
 
     def test_clouds_and_composite_input(self):
         points = points_source((0, 0, 0), (1, 0, 0), (1, 2, 0))
-        data = result(simple.SurfaceReport(Input=points))
+        data = result(simple.WindingNumberReport(Input=points))
         self.assertEqual(self.count(data, "points"), 3)
         self.assertEqual(self.count(data, "normals"), 0)
         self.assertEqual(self.count(data, "spacing_max"), 2)
         group = simple.GroupDatasets(Input=[unit_sphere(), unit_sphere(Center=(3, 0, 0))])
-        self.assertEqual(self.count(result(simple.SurfaceReport(Input=group)), "components_edge"),
-                         2)
+        report = simple.WindingNumberReport(Input=group)
+        self.assertEqual(self.count(result(report), "components_edge"), 2)
 
     def faults(self, report):
         """The blocks of the second output, by their names."""
@@ -66,13 +66,13 @@ class TestSurfaceReport(unittest.TestCase):
         return {blocks.GetMetaData(i).Get(name): blocks.GetBlock(i) for i in present}
 
     def test_outputs_have_names(self):
-        report = simple.SurfaceReport(Input=unit_sphere())
+        report = simple.WindingNumberReport(Input=unit_sphere())
         names = [report.SMProxy.GetOutputPortName(i) for i in range(2)]
         self.assertEqual(names, ["Surface", "Faults"])
 
     def test_faults_are_blocks(self):
         half = simple.Sphere(EndPhi=90)
-        report = simple.SurfaceReport(Input=half)
+        report = simple.WindingNumberReport(Input=half)
         faults = self.faults(report)
         self.assertEqual(list(faults), ["Caps", "Boundary"], "kinds without a fault are left out")
         self.assertEqual(faults["Boundary"].GetNumberOfLines(), 0, "tubes")
@@ -91,7 +91,7 @@ class TestSurfaceReport(unittest.TestCase):
 
     def test_orientation_is_fixed_on_request(self):
         inverted = simple.ReverseSense(Input=unit_sphere())
-        report = simple.SurfaceReport(Input=inverted)
+        report = simple.WindingNumberReport(Input=inverted)
         data = result(report)
         self.assertEqual(self.count(data, "inverted_components"), 1)
         self.assertLess(self.count(data, "volume"), 0)
@@ -108,7 +108,7 @@ class TestSurfaceReport(unittest.TestCase):
             # Those of the upper half look inward.
             turned = simple.Calculator(Input=cloud, ResultArrayName="Directions",
                                        Function="if(coordsZ > 0, -Normals, Normals)")
-            report = simple.SurfaceReport(
+            report = simple.WindingNumberReport(
                 Input=turned, NormalsArray="Directions", FixOrientation=1)
             data = result(report)
             self.assertEqual(self.count(data, "flipped_normals"), 250)
@@ -118,7 +118,7 @@ class TestSurfaceReport(unittest.TestCase):
                 for one, other in zip(found.GetTuple3(index), data.GetPoint(index)):
                     self.assertAlmostEqual(one, other, places=5)
         with sphere_points(10, False) as cloud:
-            report = simple.SurfaceReport(Input=cloud, FixOrientation=1)
+            report = simple.WindingNumberReport(Input=cloud, FixOrientation=1)
             errors = errors_of(report)
             report.UpdatePipeline()
             self.assertEqual(len(errors), 1)

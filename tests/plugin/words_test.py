@@ -42,7 +42,7 @@ class TestWords(unittest.TestCase):
     maxDiff = None
 
     def test_are_those_of_the_list(self):
-        report = simple.SurfaceReport(Input=mesh("inward.off"))
+        report = simple.WindingNumberReport(Input=mesh("inward.off"))
         report.UpdatePipeline()
         found = {
             "points without normals": field(points("bare.xyz"), EstimateNormals=0),

@@ -25,7 +25,7 @@ from vtkwinding_native.vtkFiltersWinding import (
     vtkWindingNumberProbe,
     vtkWindingNumberSurface,
 )
-from vtkwinding_native.vtkIOWinding import vtkSourceReader
+from vtkwinding_native.vtkIOWinding import vtkWindingNumberReader
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
@@ -64,7 +64,7 @@ class BitsTest(unittest.TestCase):
         """A filter behind the reader of a mesh, which is written before."""
         path = self.folder / f"{name}.off"
         path.write_text(off(*MESHES[name]))
-        self.reader = vtkSourceReader()
+        self.reader = vtkWindingNumberReader()
         self.reader.SetFileName(str(path))
         port = 1 if isinstance(filter_of_mesh, vtkWindingNumberProbe) else 0
         filter_of_mesh.SetInputConnection(port, self.reader.GetOutputPort())

@@ -22,9 +22,9 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkFiltersSources import vtkCellTypeSource, vtkSphereSource
 from vtkwinding_native.vtkFiltersWinding import (
-    vtkSurfaceReport,
     vtkWindingNumberClip,
     vtkWindingNumberProbe,
+    vtkWindingNumberReport,
 )
 
 from vtkwinding import _cells, _checks, _datasets, _outward, _parts, _sources, fields
@@ -224,7 +224,7 @@ class SourcesTest(unittest.TestCase):
             if "cells" in name and int(name.split()[1]) in CURVED:
                 continue
             with self.subTest(name):
-                filter = vtkSurfaceReport()
+                filter = vtkWindingNumberReport()
                 filter.SetInputDataObject(data)
                 filter.Update()
                 expected = filter.GetReport()

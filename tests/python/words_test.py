@@ -9,7 +9,7 @@ import warnings
 
 import numpy as np
 
-from vtkwinding_native.vtkIOWinding import vtkSourceReader
+from vtkwinding_native.vtkIOWinding import vtkWindingNumberReader
 
 import vtkwinding
 from vtkwinding import _sources
@@ -28,7 +28,7 @@ def mesh(name):
 
 def field_of(name):
     """Evaluates the field of the data object that is in a file."""
-    reader = vtkSourceReader()
+    reader = vtkWindingNumberReader()
     reader.SetFileName(str(FOLDER / name))
     reader.Update()
     source = _sources.source_of(reader.GetOutput())

@@ -300,9 +300,9 @@ class PipelineTest(unittest.TestCase):
         self.assertGreater(clip.GetOutput().GetNumberOfCells(), 100)
 
     def test_areas_and_report(self):
-        areas = self.after(vtkFiltersWinding.vtkPointAreas())
+        areas = self.after(vtkFiltersWinding.vtkWindingNumberNormals())
         self.assertAlmostEqual(areas.GetTotalArea(), 3.14159, 0)
-        report = self.after(vtkFiltersWinding.vtkSurfaceReport())
+        report = self.after(vtkFiltersWinding.vtkWindingNumberReport())
         self.assertTrue(report.GetClosed())
         self.assertIsInstance(report.GetAdvice(), str)
         self.assertEqual(report.GetReport().GetAbstractArray("kind").GetValue(0), "surface")
@@ -316,7 +316,7 @@ class PipelineTest(unittest.TestCase):
             mesh.write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
             points.write_text("0 0 0 0 0 1\n1 0 0 0 0 1\n")
             for path, count in (mesh, 3), (points, 2), (table, 2), (surface, 3):
-                reader = vtkIOWinding.vtkSourceReader()
+                reader = vtkIOWinding.vtkWindingNumberReader()
                 errors = errors_of(reader)
                 reader.SetFileName(str(path))
                 reader.Update()

@@ -17,10 +17,10 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
-#include "vtkSurfaceReport.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberLabels.h"
 #include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberReport.h"
 #include "vtkWindingNumberSurface.h"
 
 #include <gtest/gtest.h>
@@ -144,7 +144,7 @@ TEST(Completion, MakesTheWholeOfHalfADome)
   }
   EXPECT_NEAR(count * voxel, volumeOfDome, 0.02 * volumeOfDome); // 0.6 %
 
-  vtkNew<vtkSurfaceReport> report;
+  vtkNew<vtkWindingNumberReport> report;
   report->SetInputData(halfDome());
   EXPECT_EQ(report->GetMirror(), nullptr);
   report->Update();
@@ -274,7 +274,7 @@ TEST(Completion, WeldsInputsOfOneBody)
   vtkNew<vtkAppendPolyData> both;
   both->AddInputConnection(lower->GetOutputPort());
   both->AddInputConnection(upper->GetOutputPort());
-  vtkNew<vtkSurfaceReport> report;
+  vtkNew<vtkWindingNumberReport> report;
   report->SetInputConnection(both->GetOutputPort());
   report->Update();
   EXPECT_EQ(report->GetNumberOfBoundaryEdges(), 48);

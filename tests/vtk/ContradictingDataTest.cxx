@@ -18,7 +18,6 @@
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
-#include "vtkPointAreas.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -27,12 +26,13 @@
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
-#include "vtkSurfaceReport.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberNormals.h"
 #include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberReport.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
 
@@ -138,7 +138,7 @@ void expectRefusedAsSource(vtkDataObject* source, const std::string& part)
     expectLine(log, function->GetClassName());
   }
   {
-    vtkNew<vtkPointAreas> areas;
+    vtkNew<vtkWindingNumberNormals> areas;
     areas->SetInputDataObject(source);
     areas->SetEstimateNormals(true);
     ErrorLog log(areas);
@@ -147,7 +147,7 @@ void expectRefusedAsSource(vtkDataObject* source, const std::string& part)
   }
   for (const bool fixes : {false, true})
   {
-    vtkNew<vtkSurfaceReport> report;
+    vtkNew<vtkWindingNumberReport> report;
     report->SetInputDataObject(source);
     report->SetFixOrientation(fixes);
     ErrorLog log(report);

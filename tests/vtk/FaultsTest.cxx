@@ -16,7 +16,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
-#include "vtkSurfaceReport.h"
+#include "vtkWindingNumberReport.h"
 
 #include <gtest/gtest.h>
 
@@ -136,7 +136,7 @@ protected:
     return result;
   }
 
-  vtkNew<vtkSurfaceReport> filter;
+  vtkNew<vtkWindingNumberReport> filter;
 };
 
 TEST_F(Faults, OfAClosedSurfaceAndOfPointsAreNoBlocks)
@@ -329,7 +329,7 @@ TEST_F(Faults, HaveThePrecisionOfTheSource)
 
 TEST_F(Faults, AreTheSecondOutputInAPipeline)
 {
-  vtkNew<vtkSurfaceReport> first;
+  vtkNew<vtkWindingNumberReport> first;
   first->SetInputData(damaged(sphere(), {30}, {}, {}));
   first->UpdatePiece(1, 2, 0); // the first piece has all blocks
   EXPECT_EQ(first->GetFaults()->GetNumberOfBlocks(), 0u);

@@ -17,11 +17,11 @@
 #include "vtkPolyData.h"
 #include "vtkRTAnalyticSource.h"
 #include "vtkSMPTools.h"
-#include "vtkSourceReader.h"
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberReader.h"
 
 #include <gtest/gtest.h>
 
@@ -354,7 +354,7 @@ TEST_F(FieldPipeline, AbortWhilePreparingLeavesAnEmptyOutputAndTheNextUpdateStar
 
 TEST_F(FieldPipeline, FailedSourceIsAnErrorAndNoZeroField)
 {
-  vtkNew<vtkSourceReader> reader;
+  vtkNew<vtkWindingNumberReader> reader;
   reader->SetFileName("no such file.off");
   ErrorLog readerLog(reader);
   field->SetInputConnection(reader->GetOutputPort());

@@ -9,7 +9,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkSourceReader.h"
+#include "vtkWindingNumberReader.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ private:
 inline vtkSmartPointer<vtkPolyData> read(const std::string& contents, const std::string& suffix)
 {
   const TextFile file(contents, suffix);
-  vtkNew<vtkSourceReader> reader;
+  vtkNew<vtkWindingNumberReader> reader;
   const ErrorLog log(reader);
   reader->SetFileName(file.path());
   reader->Update();
@@ -64,7 +64,7 @@ inline void expectRefusal(const std::string& contents, const std::string& part, 
   const std::string& suffix)
 {
   const TextFile file(contents, suffix);
-  vtkNew<vtkSourceReader> reader;
+  vtkNew<vtkWindingNumberReader> reader;
   const ErrorLog log(reader);
   reader->SetFileName(file.path());
   reader->Update();

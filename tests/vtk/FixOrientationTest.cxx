@@ -23,9 +23,9 @@
 #include "vtkReverseSense.h"
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
-#include "vtkSurfaceReport.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberReport.h"
 
 #include <gtest/gtest.h>
 
@@ -142,12 +142,12 @@ protected:
     return filter->GetOutput();
   }
 
-  vtkNew<vtkSurfaceReport> filter;
+  vtkNew<vtkWindingNumberReport> filter;
 };
 
 TEST_F(FixOrientation, IsOffUnlessAskedFor)
 {
-  EXPECT_FALSE(vtkSmartPointer<vtkSurfaceReport>::New()->GetFixOrientation());
+  EXPECT_FALSE(vtkSmartPointer<vtkWindingNumberReport>::New()->GetFixOrientation());
   filter->FixOrientationOff();
   auto source = shuffled(sphere(), 1);
   ErrorLog log(filter);

@@ -8,14 +8,14 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointAreas.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
-#include "vtkSurfaceReport.h"
 #include "vtkWindingNumberClip.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberNormals.h"
 #include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberReport.h"
 #include "vtkWindingNumberSurface.h"
 
 #include <gtest/gtest.h>
@@ -78,11 +78,11 @@ TEST(MemoryOfWork, HugeSourcesAreRefusedBeforeAnythingIsAllocated)
   probe->SetSourceData(sphere);
   EXPECT_NE(errorsOf(probe.Get()).find(words), std::string::npos);
 
-  vtkNew<vtkSurfaceReport> report;
+  vtkNew<vtkWindingNumberReport> report;
   report->SetInputData(sphere);
   EXPECT_NE(errorsOf(report.Get()).find("of 1125899906842624 cells needs"), std::string::npos);
 
-  vtkNew<vtkPointAreas> areas;
+  vtkNew<vtkWindingNumberNormals> areas;
   areas->SetInputData(sphere);
   EXPECT_NE(errorsOf(areas.Get()).find(words), std::string::npos);
   EXPECT_EQ(areas->GetStatus(), vtkWindingNumberAlgorithm::OUT_OF_MEMORY);

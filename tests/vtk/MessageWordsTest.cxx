@@ -4,9 +4,9 @@
 #include "vtk/ErrorLog.h"
 
 #include "vtkNew.h"
-#include "vtkSourceReader.h"
-#include "vtkSurfaceReport.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberReader.h"
+#include "vtkWindingNumberReport.h"
 #include "vtkWindingNumberSurface.h"
 
 #include <gtest/gtest.h>
@@ -34,9 +34,9 @@ std::string messageOf(vtkAlgorithm* filter)
                                     : text.substr(begin + 3, text.find('\n', begin) - begin - 3);
 }
 
-vtkSmartPointer<vtkSourceReader> reading(const std::string& name)
+vtkSmartPointer<vtkWindingNumberReader> reading(const std::string& name)
 {
-  auto reader = vtkSmartPointer<vtkSourceReader>::New();
+  auto reader = vtkSmartPointer<vtkWindingNumberReader>::New();
   reader->SetFileName((WINDING_MESSAGES "/" + name).c_str());
   return reader;
 }
@@ -81,7 +81,7 @@ std::map<std::string, std::string> allMessages()
   found["too many voxels"] =
     messageOfField("cube.off", [](auto* field) { field->SetVoxelSize(1e-12); });
   found["faces that look inward"] = messageOfField("inward.off");
-  vtkNew<vtkSurfaceReport> report;
+  vtkNew<vtkWindingNumberReport> report;
   report->SetInputConnection(reading("inward.off")->GetOutputPort());
   report->Update();
   found["the report on faces that look inward"] = report->GetAdvice();

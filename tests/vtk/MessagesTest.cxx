@@ -13,10 +13,10 @@
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
 #include "vtkSphereSource.h"
-#include "vtkSurfaceReport.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberReport.h"
 #include "vtkWindingNumberSurface.h"
 
 #include <gtest/gtest.h>
@@ -124,7 +124,7 @@ TEST(Messages, ImagesAreRefusedInOurWords)
                             "first (" +
                             howTo(Parameter::contour) + ")";
   expectRefused(field, words);
-  vtkNew<vtkSurfaceReport> report;
+  vtkNew<vtkWindingNumberReport> report;
   report->SetInputData(image);
   expectRefused(report, words);
 }
@@ -185,7 +185,7 @@ TEST(Messages, FacesThatAreTurnedOnRequestAreNoWarning)
   vtkNew<vtkReverseSense> inward;
   inward->SetInputConnection(sphere->GetOutputPort());
   inward->ReverseCellsOn();
-  vtkNew<vtkSurfaceReport> report;
+  vtkNew<vtkWindingNumberReport> report;
   report->SetInputConnection(inward->GetOutputPort());
   report->FixOrientationOn();
   ErrorLog log(report);

@@ -13,11 +13,11 @@
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPointAreas.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberNormals.h"
 #include "vtkWindingNumberProbe.h"
 
 #include <gtest/gtest.h>
@@ -130,7 +130,7 @@ TEST_F(NormalEstimation, LooksTowardWhereThePointsWereSeenFrom)
   probe->SetToward("9 0 0; -9 0 0; 0 9 0; 0 -9 0; 0 0 9; 0 0 -9");
   EXPECT_NEAR(this->windingNumber(cloud, 0), 1, 0.02);
 
-  vtkNew<vtkPointAreas> areas;
+  vtkNew<vtkWindingNumberNormals> areas;
   areas->SetInputData(cloud);
   areas->EstimateNormalsOn();
   areas->SetToward("0 0 0");
@@ -261,7 +261,7 @@ private:
 TEST_F(NormalEstimation, IsAbortedWhereverItIs)
 {
   const auto cloud = cloudOf(shell());
-  vtkNew<vtkPointAreas> filter;
+  vtkNew<vtkWindingNumberNormals> filter;
   filter->SetInputData(cloud);
   filter->EstimateNormalsOn();
   filter->SetNormalEstimation(vtkWindingNumberAlgorithm::WINDING_CONSISTENT);
@@ -312,7 +312,7 @@ TEST_F(NormalEstimation, ShowsProgress)
   for (const int estimation : estimations)
   {
     SCOPED_TRACE(estimation);
-    vtkNew<vtkPointAreas> areas;
+    vtkNew<vtkWindingNumberNormals> areas;
     areas->SetInputData(cloudOf(shell()));
     vtkNew<vtkWindingNumberField> field;
     field->SetInputData(cloudOf(shell()));

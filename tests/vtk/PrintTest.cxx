@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkImplicitWindingNumber.h"
 #include "vtkNew.h"
-#include "vtkPointAreas.h"
-#include "vtkSourceReader.h"
-#include "vtkSurfaceReport.h"
 #include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberLabels.h"
+#include "vtkWindingNumberNormals.h"
 #include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberReader.h"
+#include "vtkWindingNumberReport.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
 
@@ -63,10 +63,10 @@ TEST(Print, HasThePropertiesOfEveryClass)
     {"ProbeAssociation: 0", "InsideOut: 0", "ExtractInside: 0", "InsideArrayName: Inside"});
   expectPrinted<vtkImplicitWindingNumber>(ofSources);
   expectPrinted<vtkWindingNumberVoxels>({"WindingThreshold: 0.5", "InsideRule: 0", "ByLabel: 2"});
-  expectPrinted<vtkPointAreas>({"PointAreaMethod: 0", "NumberOfNeighbors: 20", "PointArea: 0",
-    "EstimateNormals: 0", "NormalEstimation: 0", "ResultArrayName: Area", "Status: 4",
-    "TotalArea: 0", "NormalEstimationUsed: ", "ClearShare: 0"});
-  expectPrinted<vtkSurfaceReport>({"FixOrientation: 0", "Advice: ", "FractionalShare: 0"});
-  expectPrinted<vtkSourceReader>(
+  expectPrinted<vtkWindingNumberNormals>({"PointAreaMethod: 0", "NumberOfNeighbors: 20",
+    "PointArea: 0", "EstimateNormals: 0", "NormalEstimation: 0", "ResultArrayName: Area",
+    "Status: 4", "TotalArea: 0", "NormalEstimationUsed: ", "ClearShare: 0"});
+  expectPrinted<vtkWindingNumberReport>({"FixOrientation: 0", "Advice: ", "FractionalShare: 0"});
+  expectPrinted<vtkWindingNumberReader>(
     {"FileName: (none)", "ReadNormalsAndAreas: 1", "ReadAllColumns: 1", "KeepRows: 0"});
 }

@@ -7,7 +7,6 @@
 #include "vtkImageData.h"
 #include "vtkImplicitWindingNumber.h"
 #include "vtkNew.h"
-#include "vtkPointAreas.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
@@ -15,6 +14,7 @@
 #include "vtkWindingNumberClip.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberLabels.h"
+#include "vtkWindingNumberNormals.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
@@ -267,11 +267,11 @@ TEST_F(PropertyRanges, OfVoxels)
   expectWorking(voxels);
 }
 
-TEST_F(PropertyRanges, OfPointAreas)
+TEST_F(PropertyRanges, OfNormals)
 {
-  vtkNew<vtkPointAreas> areas;
+  vtkNew<vtkWindingNumberNormals> areas;
   areas->SetInputData(sphereCloud(100, 1));
-  vtkPointAreas* filter = areas;
+  vtkWindingNumberNormals* filter = areas;
   EXPECT_REFUSED(filter, PointAreaMethod, choices("VORONOI (0), MESH (1) or CONSTANT (2)", 3));
   EXPECT_REFUSED(filter, NumberOfNeighbors, neighborCounts);
   EXPECT_REFUSED(filter, PointArea, notPositive);

@@ -6,10 +6,10 @@
 
 #include "vtkDataSet.h"
 #include "vtkImplicitWindingNumber.h"
-#include "vtkPointAreas.h"
 #include "vtkSphereSource.h"
-#include "vtkSurfaceReport.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberNormals.h"
+#include "vtkWindingNumberReport.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
 
@@ -93,8 +93,8 @@ TEST(Ranges, CoordinatesOutOfRangeAreRefusedByEveryClass)
     {
       expectRefused<vtkWindingNumberField>(source, mention);
       expectRefused<vtkWindingNumberSurface>(source, mention);
-      expectRefused<vtkSurfaceReport>(source, mention);
-      expectRefused<vtkPointAreas>(source, mention);
+      expectRefused<vtkWindingNumberReport>(source, mention);
+      expectRefused<vtkWindingNumberNormals>(source, mention);
       expectRefusedByProbeAndFunction(source, mention);
     }
   }
@@ -105,7 +105,7 @@ TEST(Ranges, SourcesThatAreTooSmallAreRefused)
   for (const auto& source : {sphere(1e-150), sphere(1e-300)})
   {
     expectRefused<vtkWindingNumberField>(source, "along its longest side");
-    expectRefused<vtkSurfaceReport>(source, "along its longest side");
+    expectRefused<vtkWindingNumberReport>(source, "along its longest side");
     expectRefusedByProbeAndFunction(source, "along its longest side");
   }
 }

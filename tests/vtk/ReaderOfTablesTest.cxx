@@ -9,8 +9,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkSourceReader.h"
 #include "vtkStringArray.h"
+#include "vtkWindingNumberReader.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ TEST(ReaderOfTables, ColumnsBecomeArrays)
 {
   const TextFile file(
     "name,x,y,z,nx,ny,nz,t\r\n\"a, b\",1,2,3,0,0,1,7\r\nc,4,5,6,0,0,1,8\r\n", ".csv");
-  vtkNew<vtkSourceReader> reader;
+  vtkNew<vtkWindingNumberReader> reader;
   const ErrorLog log(reader);
   reader->SetFileName(file.path());
   reader->Update();
@@ -98,7 +98,7 @@ TEST(ReaderOfTables, NoColumnHidesAnother)
 TEST(ReaderOfTables, WithoutRows)
 {
   const TextFile file("x,y,z,t\n", ".csv");
-  vtkNew<vtkSourceReader> reader;
+  vtkNew<vtkWindingNumberReader> reader;
   reader->SetFileName(file.path());
   reader->KeepRowsOn();
   reader->Update();
@@ -123,7 +123,7 @@ TEST(ReaderOfTables, Refusals)
 TEST(ReaderOfTables, ColumnsThatMakeNoSenseAreTheUsersError)
 {
   const TextFile file("x,y,z\n1,2,3\n", ".csv");
-  vtkNew<vtkSourceReader> reader;
+  vtkNew<vtkWindingNumberReader> reader;
   const ErrorLog log(reader);
   reader->SetFileName(file.path());
   reader->SetColumns("nonsense");
@@ -136,7 +136,7 @@ TEST(ReaderOfTables, ColumnsThatMakeNoSenseAreTheUsersError)
 
 TEST(ReaderOfTables, SaysWhatSeparates)
 {
-  vtkNew<vtkSourceReader> reader;
+  vtkNew<vtkWindingNumberReader> reader;
   const TextFile file("x;y;z\n1,5;2;3\n", ".csv");
   reader->SetFileName(file.path());
   reader->Update();
@@ -147,7 +147,7 @@ TEST(ReaderOfTables, SaysWhatSeparates)
 
 TEST(ReaderOfTables, NothingIsLeftOfTheFileBefore)
 {
-  vtkNew<vtkSourceReader> reader;
+  vtkNew<vtkWindingNumberReader> reader;
   const ErrorLog log(reader);
   const TextFile file("x,y,z\n1,2,3\n", ".csv");
   reader->SetFileName(file.path());
@@ -210,7 +210,7 @@ TEST(ReaderOfTables, TakesChosenColumns)
   for (const auto& [file, columns] :
     {std::make_pair(&table, "x=E y=N z=H"), std::make_pair(&points, "x=2 y=3 z=4")})
   {
-    vtkNew<vtkSourceReader> reader;
+    vtkNew<vtkWindingNumberReader> reader;
     const ErrorLog log(reader);
     reader->SetFileName(file->path());
     reader->SetColumns(columns);

@@ -14,7 +14,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include "vtkSourceReader.h"
+#include "vtkWindingNumberReader.h"
 
 #include <gtest/gtest.h>
 
@@ -102,7 +102,7 @@ TEST(ReaderOfOff, Refusals)
 
 TEST(ReaderOfOff, MissingFilesAndNames)
 {
-  vtkNew<vtkSourceReader> reader;
+  vtkNew<vtkWindingNumberReader> reader;
   const ErrorLog log(reader);
   reader->Update();
   EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoFileNameError));
@@ -168,7 +168,7 @@ TEST(ReaderOfPoints, Refusals)
 
 TEST(ReaderOfPoints, ReadsAgainWhenTheNameChanges)
 {
-  vtkNew<vtkSourceReader> reader;
+  vtkNew<vtkWindingNumberReader> reader;
   const ErrorLog log(reader);
   reader->SetFileName("/nowhere.xyz");
   reader->Update();
@@ -295,7 +295,7 @@ TEST(ReaderOfMeshes, PlyWithColoursOfVerticesAndFaces)
                           ofVertices + "0 1 0" + ofVertices + "3 0 1 2 1 2 3" +
                           (haveFacesAlpha ? " 9\n" : "\n"),
       ".ply");
-    vtkNew<vtkSourceReader> reader;
+    vtkNew<vtkWindingNumberReader> reader;
     reader->SetFileName(file.path());
     reader->ReadAllColumnsOn();
     reader->Update();
@@ -346,7 +346,7 @@ TEST(ReaderOfMeshes, SharedFilesAsVtkReadsThem)
       "aneurysm_open.stl", "conrod_flipped.stl", "icosahedron.stl", "tray_thin_cad.stl"}))
   {
     const std::string path = shapes::realMesh(name);
-    const auto expected = readWithVtk(path), found = readWith<vtkSourceReader>(path);
+    const auto expected = readWithVtk(path), found = readWith<vtkWindingNumberReader>(path);
     ASSERT_EQ(found->GetNumberOfPolys(), expected->GetNumberOfPolys()) << name;
     EXPECT_LE(found->GetNumberOfPoints(), expected->GetNumberOfPoints()) << name;
     vtkNew<vtkIdList> expectedIds, foundIds;
@@ -377,7 +377,7 @@ TEST(ReaderOfMeshes, SharedCloudAsVtkReadsIt)
   {
     GTEST_SKIP() << path << " is not there";
   }
-  const auto expected = readMesh(path), found = readWith<vtkSourceReader>(path);
+  const auto expected = readMesh(path), found = readWith<vtkWindingNumberReader>(path);
   ASSERT_EQ(found->GetNumberOfPoints(), expected->GetNumberOfPoints());
   EXPECT_EQ(found->GetPoints()->GetDataType(), VTK_FLOAT);
   for (vtkIdType i = 0; i < found->GetNumberOfPoints(); ++i)

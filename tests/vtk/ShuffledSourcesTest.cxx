@@ -11,11 +11,11 @@
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
-#include "vtkPointAreas.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberNormals.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
 #include "vtkWindingNumberVoxels.h"
@@ -240,14 +240,14 @@ TEST_P(ShuffledSharedData, GivesSharpSurfacesOfTheSameBits)
 
 TEST_P(ShuffledSharedData, GivesPointsTheSameAreas)
 {
-  for (const int method : {vtkPointAreas::VORONOI, vtkPointAreas::MESH})
+  for (const int method : {vtkWindingNumberNormals::VORONOI, vtkWindingNumberNormals::MESH})
   {
-    if (isCloud_ && method == vtkPointAreas::MESH)
+    if (isCloud_ && method == vtkWindingNumberNormals::MESH)
     {
       continue;
     }
     SCOPED_TRACE("method " + std::to_string(method));
-    vtkNew<vtkPointAreas> areas;
+    vtkNew<vtkWindingNumberNormals> areas;
     areas->SetPointAreaMethod(method);
     areas->SetEstimateNormals(isCloud_);
     areas->SetInputData(original_);

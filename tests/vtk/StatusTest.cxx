@@ -7,13 +7,13 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
-#include "vtkPointAreas.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberClip.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberLabels.h"
+#include "vtkWindingNumberNormals.h"
 #include "vtkWindingNumberProbe.h"
 #include "vtkWindingNumberSurface.h"
 
@@ -42,8 +42,9 @@ template <class Filter> class Status : public testing::Test
 {
 };
 
-using Filters = testing::Types<vtkPointAreas, vtkWindingNumberBoolean, vtkWindingNumberClip,
-  vtkWindingNumberField, vtkWindingNumberLabels, vtkWindingNumberProbe, vtkWindingNumberSurface>;
+using Filters =
+  testing::Types<vtkWindingNumberNormals, vtkWindingNumberBoolean, vtkWindingNumberClip,
+    vtkWindingNumberField, vtkWindingNumberLabels, vtkWindingNumberProbe, vtkWindingNumberSurface>;
 
 /// Names tests after filters.
 struct Names

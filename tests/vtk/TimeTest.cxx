@@ -12,13 +12,13 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkSurfaceReport.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
 #include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberLabels.h"
 #include "vtkWindingNumberProbe.h"
+#include "vtkWindingNumberReport.h"
 #include "vtkWindingNumberSurface.h"
 
 #include <gtest/gtest.h>
@@ -416,7 +416,7 @@ TEST_F(Time, SurfaceFollowsTheSource)
 
 TEST_F(Time, ReportIsThatOfTheTime)
 {
-  vtkNew<vtkSurfaceReport> report;
+  vtkNew<vtkWindingNumberReport> report;
   report->SetInputConnection(sphere->GetOutputPort());
   for (int time : {0, 2, 1, 0})
   {

@@ -23,8 +23,8 @@
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
-#include "vtkSurfaceReport.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkWindingNumberReport.h"
 
 #include <algorithm>
 #include <optional>
@@ -156,7 +156,7 @@ void runCheck(const Options& options, Messages& messages)
   {
     output.emplace(options.output, kept);
   }
-  vtkNew<vtkSurfaceReport> filter;
+  vtkNew<vtkWindingNumberReport> filter;
   filter->SetInputDataObject(readSource(options, messages));
   filter->SetUseSurfaceCells(options.surfaceCells);
   filter->SetMirror(options.mirror.c_str());

@@ -19,12 +19,12 @@
 #include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkPointAreas.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkWindingNumberNormals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,7 +104,7 @@ struct Figures
 };
 
 /// The words for where the normals come from.
-std::string originOf(vtkPointAreas& filter, const Figures& figures)
+std::string originOf(vtkWindingNumberNormals& filter, const Figures& figures)
 {
   const std::string estimation = filter.GetNormalEstimationUsed();
   if (!estimation.empty())
@@ -115,8 +115,8 @@ std::string originOf(vtkPointAreas& filter, const Figures& figures)
   return figures.haveNormals ? "normals as given" : "normals of the faces";
 }
 
-void printReport(
-  const Options& options, vtkPointAreas& filter, vtkPolyData* cloud, const Figures& figures)
+void printReport(const Options& options, vtkWindingNumberNormals& filter, vtkPolyData* cloud,
+  const Figures& figures)
 {
   const vtkIdType points = cloud->GetNumberOfPoints();
   const double meanArea = points > 0 ? filter.GetTotalArea() / static_cast<double>(points) : 0;
@@ -162,7 +162,7 @@ void runNormals(const Options& options, Messages& messages)
   {
     throw Failure(EXIT_REFUSED, options.input, "has no points; give a file that has some");
   }
-  vtkNew<vtkPointAreas> filter;
+  vtkNew<vtkWindingNumberNormals> filter;
   filter->SetInputDataObject(options.replace ? bare(input).Get() : input.Get());
   filter->EstimateNormalsOn();
   filter->SetNormalEstimation(options.normalEstimation);

@@ -8,7 +8,7 @@
 #include "files/Text.h"
 #include "program/Failure.h"
 
-#include "vtkSourceReader.h"
+#include "vtkWindingNumberReader.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLPPolyDataReader.h"
@@ -129,7 +129,7 @@ const VtkFormat* vtkFormatOf(const std::string& suffix)
 
 std::string inputSuffixes()
 {
-  return suffixesWhere(true) + vtkSourceReader::GetFileExtensions();
+  return suffixesWhere(true) + vtkWindingNumberReader::GetFileExtensions();
 }
 
 std::string imageSuffixes()

@@ -42,7 +42,7 @@ struct VtkFormat
 const VtkFormat* vtkFormatOf(const std::string& suffix);
 
 /// Returns the suffixes of all files that may hold a source, with blanks between them: VTK's
-/// formats, and what vtkSourceReader reads.
+/// formats, and what vtkWindingNumberReader reads.
 std::string inputSuffixes();
 
 /// Returns the suffixes of files that hold images and grids, for queries only, with blanks between

@@ -6,12 +6,12 @@
 
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSourceReader.h"
 #include "vtkStringArray.h"
+#include "vtkWindingNumberReader.h"
 
 QueryTable::QueryTable(
   const std::string& fileName, With with, const std::string& columns, Messages& messages)
-  : reader_(vtkSmartPointer<vtkSourceReader>::New())
+  : reader_(vtkSmartPointer<vtkWindingNumberReader>::New())
 {
   reader_->ReadNormalsAndAreasOff(); // a column "area" may have any words here
   reader_->SetColumns(columns.c_str());

@@ -10,7 +10,7 @@
 class Messages;
 VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
-class vtkSourceReader;
+class vtkWindingNumberReader;
 VTK_ABI_NAMESPACE_END
 
 /// A table of points that are asked about.
@@ -24,8 +24,8 @@ public:
     columns ///< arrays of all columns
   };
 
-  /// Reads the points from the chosen columns (vtkSourceReader::SetColumns()). Throws Failure for
-  /// whatever is no table of points.
+  /// Reads the points from the chosen columns (vtkWindingNumberReader::SetColumns()). Throws
+  /// Failure for whatever is no table of points.
   QueryTable(
     const std::string& fileName, With with, const std::string& columns, Messages& messages);
   ~QueryTable();
@@ -51,7 +51,7 @@ public:
   std::string row(vtkIdType point) const;
 
 private:
-  vtkSmartPointer<vtkSourceReader> reader_;
+  vtkSmartPointer<vtkWindingNumberReader> reader_;
   std::string header_;
   const char* lineEnd_ = "\n";
 };

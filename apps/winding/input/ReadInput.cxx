@@ -16,7 +16,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkSourceReader.h"
+#include "vtkWindingNumberReader.h"
 
 namespace
 {
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkDataObject> read(
   {
     return readByVtk(fileName, *format, messages);
   }
-  vtkNew<vtkSourceReader> reader;
+  vtkNew<vtkWindingNumberReader> reader;
   reader->SetReadAllColumns(columns.areAll);
   reader->SetColumns(columns.chosen.c_str());
   readBy(reader, fileName, messages);
@@ -140,7 +140,7 @@ PlacedImage readPlace(const std::string& fileName, Messages& messages)
   return place;
 }
 
-void readBy(vtkSourceReader* reader, const std::string& fileName, Messages& messages)
+void readBy(vtkWindingNumberReader* reader, const std::string& fileName, Messages& messages)
 {
   checkContentFits(fileName);
   messages.setSubject(fileName);

@@ -14,13 +14,13 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkDataObject;
 class vtkDataSet;
 class vtkPointSet;
-class vtkSourceReader;
+class vtkWindingNumberReader;
 VTK_ABI_NAMESPACE_END
 
 /// The columns that are read of tables and points; other files have none.
 struct ColumnOptions
 {
-  std::string chosen;  ///< for vtkSourceReader::SetColumns()
+  std::string chosen;  ///< for vtkWindingNumberReader::SetColumns()
   bool areAll = false; ///< whether columns without a meaning are read, too
 };
 
@@ -50,4 +50,4 @@ PlacedImage readPlace(const std::string& fileName, Messages& messages);
 
 /// Reads a file with a reader of the module, which believes nothing that the file does not hold,
 /// and shows its progress. Throws Failure as readInput() does.
-void readBy(vtkSourceReader* reader, const std::string& fileName, Messages& messages);
+void readBy(vtkWindingNumberReader* reader, const std::string& fileName, Messages& messages);

@@ -10,9 +10,9 @@
 #include "program/ParallelRun.h"
 #include "program/Print.h"
 
-#include "vtkPointAreas.h"
 #include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberLabels.h"
+#include "vtkWindingNumberNormals.h"
 
 #include <algorithm>
 #include <climits>
@@ -236,8 +236,8 @@ void addNormals(CLI::App& app, Options& options)
   addPointAreas(normals, options,
     "Areas of the points: voronoi, each point's cell among its neighbours | mesh, a third of the "
     "triangles around it | constant (voronoi)",
-    {{"voronoi", vtkPointAreas::VORONOI}, {"mesh", vtkPointAreas::MESH},
-      {"constant", vtkPointAreas::CONSTANT}});
+    {{"voronoi", vtkWindingNumberNormals::VORONOI}, {"mesh", vtkWindingNumberNormals::MESH},
+      {"constant", vtkWindingNumberNormals::CONSTANT}});
   addThreads(normals, options);
   addReporting(normals, options);
 }

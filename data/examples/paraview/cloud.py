@@ -13,7 +13,7 @@ import scenes
 
 def make():
     points = scenes.open_model("cloud.xyz")
-    areas = simple.PointAreas(registrationName="Areas", Input=points)
+    areas = simple.WindingNumberNormals(registrationName="Areas", Input=points)
     surface = simple.WindingNumberSurface(registrationName="Surface", Input=points)
     surface.Resolution = 96
     areas.UpdatePipeline()

@@ -13,7 +13,7 @@ import scenes
 
 def make():
     scan = scenes.open_model("scan.off")
-    report = simple.SurfaceReport(registrationName="Report", Input=scan)
+    report = simple.WindingNumberReport(registrationName="Report", Input=scan)
     solid = simple.WindingNumberSurface(registrationName="Solid", Input=scan)
     solid.Resolution = 96
     report.UpdatePipeline()

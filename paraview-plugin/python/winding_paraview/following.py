@@ -8,7 +8,6 @@ from vtkmodules.vtkCommonCore import vtkCommand
 _COLORS = ".array_lookup_tables.WindingNumber.PVLookupTable"
 # ParaView's own defaults have priority 0, settings of the site and of the user 1 and more.
 _PRIORITY = 0.5
-_OURS = ("WindingNumber", "SurfaceReport", "PointAreas")
 
 
 def start(folder):
@@ -41,7 +40,7 @@ def _look(manager, _event):
     session = manager.GetActiveSessionProxyManager()
     for index in range(session.GetNumberOfProxies("sources") if session is not None else 0):
         proxy = session.GetProxy("sources", session.GetProxyName("sources", index))
-        is_ours = proxy is not None and (proxy.GetXMLName() or "").startswith(_OURS)
+        is_ours = proxy is not None and "WindingNumber" in (proxy.GetVTKClassName() or "")
         if is_ours and proxy.GetGlobalID() not in _followed:
             _followed.add(proxy.GetGlobalID())
             proxy.AddObserver(vtkCommand.UpdateDataEvent, _read_again)

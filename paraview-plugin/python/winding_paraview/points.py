@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Point Areas: the areas that points stand for, and their normals."""
+"""Winding Number Normals: the areas that points stand for, and their normals."""
 
 import ctypes
 
@@ -22,7 +22,7 @@ _NUMBERS = "winding_paraview.Numbers"
 
 
 @declared
-class PointAreas(Algorithm):
+class WindingNumberNormals(Algorithm):
     """Adds areas, and normals where there are none, to points."""
 
     def __init__(self):

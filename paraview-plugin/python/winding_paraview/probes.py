@@ -172,8 +172,8 @@ class ProbeAlgorithm(SourceAlgorithm):
             lower = self.values["InsideRule"] != 2 and self.values["WindingThreshold"] > 0.5
             self.warn("no sample is inside: " + (
                 "choose a lower threshold (Winding Threshold), or " if lower else "") +
-                "look whether the source is closed (Surface Report); 100 or more lie within the "
-                "bounds of the source")
+                "look whether the source is closed (Winding Number Report); 100 or more lie within "
+                "the bounds of the source")
 
     def places_on_grid(self, image):
         """Returns the samples of an image, in the coordinates of the field."""
@@ -194,7 +194,7 @@ class ProbeAlgorithm(SourceAlgorithm):
             side = "outside" if self.values["InsideOut"] else "inside"
             self.warn(f"no {sample} is {side}, so the result is empty: look whether "
                       "dataset and source overlap, or take a finer dataset, or look whether the "
-                      "source is closed (Surface Report)")
+                      "source is closed (Winding Number Report)")
 
 
 def _split(values, counts):

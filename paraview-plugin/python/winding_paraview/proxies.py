@@ -4,10 +4,10 @@
 
 from .booleans import WindingNumberBoolean
 from .grids import GridAlgorithm, WindingNumberField
-from .points import PointAreas
+from .points import WindingNumberNormals
 from .probes import ProbeAlgorithm, WindingNumberClip, WindingNumberProbe
-from .readers import SourceReader
-from .reports import SurfaceReport
+from .readers import WindingNumberReader
+from .reports import WindingNumberReport
 from .solids import WindingNumberLabels
 from .sources import SourceAlgorithm
 from .surfaces import WindingNumberSurface, WindingNumberVoxels
@@ -18,17 +18,17 @@ WindingNumberGridAlgorithm = GridAlgorithm
 WindingNumberProbeAlgorithm = ProbeAlgorithm
 
 __all__ = [
-    "PointAreas",
-    "SourceReader",
-    "SurfaceReport",
     "WindingNumberAlgorithm",
     "WindingNumberBoolean",
     "WindingNumberClip",
     "WindingNumberField",
     "WindingNumberGridAlgorithm",
     "WindingNumberLabels",
+    "WindingNumberNormals",
     "WindingNumberProbe",
     "WindingNumberProbeAlgorithm",
+    "WindingNumberReader",
+    "WindingNumberReport",
     "WindingNumberSurface",
     "WindingNumberVoxels",
 ]

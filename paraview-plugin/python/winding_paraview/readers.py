@@ -18,7 +18,7 @@ from .surfaces import polydata_of
 
 
 @declared
-class SourceReader(Algorithm):
+class WindingNumberReader(Algorithm):
     """Reads points and polygons, or a table of points, by the name of the file."""
 
     def __init__(self):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Surface Report: counts of what is wrong with a surface or a cloud, and where."""
+"""Winding Number Report: counts of what is wrong with a surface or a cloud, and where."""
 
 import ctypes
 import math
@@ -53,7 +53,7 @@ def _add_members(data, report, names):
 
 
 @declared
-class SurfaceReport(Algorithm):
+class WindingNumberReport(Algorithm):
     """Counts, advice, and the faults as blocks."""
 
     def __init__(self):

@@ -22,8 +22,8 @@ struct OrientedPolygons;
 
 struct SourceReport
 {
-  /// The arrays of vtkSurfaceReport, in the order in which people read them: counts are vtkIdType,
-  /// yes or no is unsigned char, measures are double, words are strings.
+  /// The arrays of vtkWindingNumberReport, in the order in which people read them: counts are
+  /// vtkIdType, yes or no is unsigned char, measures are double, words are strings.
   vtkSmartPointer<vtkFieldData> arrays;
   /// The faults of a surface, to look at (FaultBlocks.h); a cloud has none.
   vtkSmartPointer<vtkMultiBlockDataSet> faults;

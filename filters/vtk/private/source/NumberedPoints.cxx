@@ -17,7 +17,7 @@ namespace winding
 namespace
 {
 
-constexpr char name[] = "vtkPointAreas number";
+constexpr char name[] = "vtkWindingNumberNormals number";
 
 } // namespace
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkPointAreas
+ * @class   vtkWindingNumberNormals
  * @brief   normals and areas of a cloud's points
  *
  * The filter adds a point data array of areas to its input (double, one per point, in squared units
@@ -42,8 +42,8 @@
  *
  * @sa vtkWindingNumberField vtkWindingNumberProbe
  */
-#ifndef vtkPointAreas_h
-#define vtkPointAreas_h
+#ifndef vtkWindingNumberNormals_h
+#define vtkWindingNumberNormals_h
 
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkPassInputTypeAlgorithm.h"
@@ -60,11 +60,11 @@ struct PointCloud;
 VTK_ABI_NAMESPACE_BEGIN
 class vtkMultiProcessController;
 
-class VTKFILTERSWINDING_EXPORT vtkPointAreas : public vtkPassInputTypeAlgorithm
+class VTKFILTERSWINDING_EXPORT vtkWindingNumberNormals : public vtkPassInputTypeAlgorithm
 {
 public:
-  static vtkPointAreas* New();
-  vtkTypeMacro(vtkPointAreas, vtkPassInputTypeAlgorithm);
+  static vtkWindingNumberNormals* New();
+  vtkTypeMacro(vtkWindingNumberNormals, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// The ways in which points get their areas; the numbers are vtkWindingNumberAlgorithm's.
@@ -193,11 +193,11 @@ public:
   ///@}
 
 protected:
-  vtkPointAreas();
-  ~vtkPointAreas() override;
+  vtkWindingNumberNormals();
+  ~vtkWindingNumberNormals() override;
 
-  vtkPointAreas(const vtkPointAreas&) = delete;
-  void operator=(const vtkPointAreas&) = delete;
+  vtkWindingNumberNormals(const vtkWindingNumberNormals&) = delete;
+  void operator=(const vtkWindingNumberNormals&) = delete;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkPointAreas.h"
+#include "vtkWindingNumberNormals.h"
 
 #include "base/Progress.h"
 #include "base/Refusal.h"
@@ -39,7 +39,7 @@
 #include <string>
 #include <vector>
 
-vtkStandardNewMacro(vtkPointAreas);
+vtkStandardNewMacro(vtkWindingNumberNormals);
 
 namespace
 {
@@ -137,20 +137,20 @@ void setNormals(const Eigen::Vector3d* normals, vtkPointSet* pointSet)
 
 } // namespace
 
-vtkPointAreas::vtkPointAreas()
+vtkWindingNumberNormals::vtkWindingNumberNormals()
   : Controller(vtkMultiProcessController::GetGlobalController())
 {
   this->SetResultArrayName("Area");
 }
 
-vtkPointAreas::~vtkPointAreas()
+vtkWindingNumberNormals::~vtkWindingNumberNormals()
 {
   this->SetNormalsArray(nullptr);
   this->SetToward(nullptr);
   this->SetResultArrayName(nullptr);
 }
 
-void vtkPointAreas::SetController(vtkMultiProcessController* controller)
+void vtkWindingNumberNormals::SetController(vtkMultiProcessController* controller)
 {
   if (controller != this->Controller)
   {
@@ -159,12 +159,12 @@ void vtkPointAreas::SetController(vtkMultiProcessController* controller)
   }
 }
 
-vtkMultiProcessController* vtkPointAreas::GetController() const
+vtkMultiProcessController* vtkWindingNumberNormals::GetController() const
 {
   return this->Controller;
 }
 
-int vtkPointAreas::FillInputPortInformation(int, vtkInformation* info)
+int vtkWindingNumberNormals::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
@@ -172,14 +172,14 @@ int vtkPointAreas::FillInputPortInformation(int, vtkInformation* info)
 }
 
 /// Answers the first request after a change of the pipeline, which may fail before it has data.
-int vtkPointAreas::RequestDataObject(
+int vtkWindingNumberNormals::RequestDataObject(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->Status = vtkWindingNumberAlgorithm::NOT_RUN;
   return this->Superclass::RequestDataObject(request, inputs, outputs);
 }
 
-int vtkPointAreas::RequestData(
+int vtkWindingNumberNormals::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* output = vtkDataObject::GetData(outputs);
@@ -207,7 +207,7 @@ int vtkPointAreas::RequestData(
   return 1;
 }
 
-void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
+void vtkWindingNumberNormals::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
 {
   winding::checkProperty(
     winding::Parameter::pointAreaMethod, this->PointAreaMethod, 3); // without ARRAY
@@ -311,7 +311,8 @@ void vtkPointAreas::AddAreas(vtkDataObject* data, winding::Ranks& ranks)
 }
 
 /// Areas of a mesh come in with its points.
-void vtkPointAreas::FindNormalsAndAreas(winding::PointCloud& cloud, winding::Executor& executor)
+void vtkWindingNumberNormals::FindNormalsAndAreas(
+  winding::PointCloud& cloud, winding::Executor& executor)
 {
   const winding::PointAreaOptions options = {this->PointAreaMethod == CONSTANT
                                                ? winding::PointAreaMethod::constant
@@ -338,32 +339,32 @@ void vtkPointAreas::FindNormalsAndAreas(winding::PointCloud& cloud, winding::Exe
   }
 }
 
-const char* vtkPointAreas::GetNormalEstimationUsed() const
+const char* vtkWindingNumberNormals::GetNormalEstimationUsed() const
 {
   return this->NormalEstimationUsed;
 }
 
-double vtkPointAreas::GetClearShare() const
+double vtkWindingNumberNormals::GetClearShare() const
 {
   return this->ClearShare;
 }
 
-const char* vtkPointAreas::GetSourceDistributionAsString() const
+const char* vtkWindingNumberNormals::GetSourceDistributionAsString() const
 {
   return winding::nameOfChoice(winding::Parameter::sourceDistribution, this->SourceDistribution);
 }
 
-const char* vtkPointAreas::GetNormalEstimationAsString() const
+const char* vtkWindingNumberNormals::GetNormalEstimationAsString() const
 {
   return winding::nameOfChoice(winding::Parameter::normalEstimation, this->NormalEstimation);
 }
 
-const char* vtkPointAreas::GetPointAreaMethodAsString() const
+const char* vtkWindingNumberNormals::GetPointAreaMethodAsString() const
 {
   return winding::nameOfChoice(winding::Parameter::pointAreaMethod, this->PointAreaMethod);
 }
 
-void vtkPointAreas::PrintSelf(ostream& os, vtkIndent indent)
+void vtkWindingNumberNormals::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PointAreaMethod: " << this->PointAreaMethod << "\n";

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkSourceReader
+ * @class   vtkWindingNumberReader
  * @brief   read surfaces and points from files of many formats, in full or not at all
  *
  * The reader gives vtkPolyData with the points and the polygons of the file as they are, in the
@@ -78,8 +78,8 @@
  *
  * @sa vtkWindingNumberField vtkWindingNumberProbe vtkPCANormalEstimation
  */
-#ifndef vtkSourceReader_h
-#define vtkSourceReader_h
+#ifndef vtkWindingNumberReader_h
+#define vtkWindingNumberReader_h
 
 #include "vtkIOWindingModule.h" // for export macro
 #include "vtkNew.h"             // for ColumnNames
@@ -100,11 +100,11 @@ struct PointTable;
 VTK_ABI_NAMESPACE_BEGIN
 class vtkStringArray;
 
-class VTKIOWINDING_EXPORT vtkSourceReader : public vtkPolyDataAlgorithm
+class VTKIOWINDING_EXPORT vtkWindingNumberReader : public vtkPolyDataAlgorithm
 {
 public:
-  static vtkSourceReader* New();
-  vtkTypeMacro(vtkSourceReader, vtkPolyDataAlgorithm);
+  static vtkWindingNumberReader* New();
+  vtkTypeMacro(vtkWindingNumberReader, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Returns the suffixes of all formats, with their dots and blanks between them.
@@ -176,11 +176,11 @@ public:
   bool GetHasDecimalCommas() const;
 
 protected:
-  vtkSourceReader();
-  ~vtkSourceReader() override;
+  vtkWindingNumberReader();
+  ~vtkWindingNumberReader() override;
 
-  vtkSourceReader(const vtkSourceReader&) = delete;
-  void operator=(const vtkSourceReader&) = delete;
+  vtkWindingNumberReader(const vtkWindingNumberReader&) = delete;
+  void operator=(const vtkWindingNumberReader&) = delete;
 
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;

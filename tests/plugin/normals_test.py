@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The filter Point Areas in ParaView."""
+"""The filter Winding Number Normals in ParaView."""
 import math
 import unittest
 
@@ -12,13 +12,13 @@ from support import errors_of, information, result, run_tests, sphere_points, un
 class TestAreas(unittest.TestCase):
     def test_cloud(self):
         with sphere_points(2000, True) as cloud:
-            areas = simple.PointAreas(Input=cloud)
+            areas = simple.WindingNumberNormals(Input=cloud)
             array = result(areas).GetPointData().GetArray("Area")
             self.assertEqual(array.GetNumberOfTuples(), 2000)
             for index in range(2000):
                 self.assertAlmostEqual(array.GetTuple1(index) / (4 * math.pi / 2000), 1, delta=0.1)
             self.assertAlmostEqual(information(areas, "TotalArea"), 4 * math.pi, delta=0.1)
-            named = simple.PointAreas(Input=cloud, ResultArrayName="Patch")
+            named = simple.WindingNumberNormals(Input=cloud, ResultArrayName="Patch")
             self.assertTrue(result(named).GetPointData().HasArray("Patch"))
             self.assertFalse(result(named).GetPointData().HasArray("Area"))
 
@@ -34,7 +34,7 @@ class TestAreas(unittest.TestCase):
 
     def test_normals_are_estimated_unless_users_say_no(self):
         with sphere_points(2000, False) as cloud:
-            areas = simple.PointAreas(Input=cloud, EstimateNormals=0)
+            areas = simple.WindingNumberNormals(Input=cloud, EstimateNormals=0)
             errors = errors_of(areas)
             areas.UpdatePipeline()
             self.assertTrue(errors)
@@ -54,7 +54,7 @@ class TestAreas(unittest.TestCase):
 
     def test_composite_input_keeps_its_blocks(self):
         group = simple.GroupDatasets(Input=[unit_sphere(), unit_sphere(Center=(3, 0, 0))])
-        areas = simple.PointAreas(Input=group, PointAreaMethod="Mesh")
+        areas = simple.WindingNumberNormals(Input=group, PointAreaMethod="Mesh")
         output = result(areas)
         self.assertTrue(output.IsA("vtkCompositeDataSet"))
         iterator = output.NewIterator()

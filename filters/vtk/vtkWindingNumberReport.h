@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class   vtkSurfaceReport
+ * @class   vtkWindingNumberReport
  * @brief   the health of a surface or an oriented point cloud, with regard to winding numbers
  *
  * The filter takes a source as vtkWindingNumberAlgorithm does (polydata, the outer surface of any
@@ -130,8 +130,8 @@
  *
  * @sa vtkWindingNumberField
  */
-#ifndef vtkSurfaceReport_h
-#define vtkSurfaceReport_h
+#ifndef vtkWindingNumberReport_h
+#define vtkWindingNumberReport_h
 
 #include "vtkFiltersWindingModule.h" // for export macro
 #include "vtkNew.h"                  // for the report
@@ -151,11 +151,11 @@ class vtkFieldData;
 class vtkMultiBlockDataSet;
 class vtkMultiProcessController;
 
-class VTKFILTERSWINDING_EXPORT vtkSurfaceReport : public vtkPolyDataAlgorithm
+class VTKFILTERSWINDING_EXPORT vtkWindingNumberReport : public vtkPolyDataAlgorithm
 {
 public:
-  static vtkSurfaceReport* New();
-  vtkTypeMacro(vtkSurfaceReport, vtkPolyDataAlgorithm);
+  static vtkWindingNumberReport* New();
+  vtkTypeMacro(vtkWindingNumberReport, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -267,11 +267,11 @@ public:
   ///@}
 
 protected:
-  vtkSurfaceReport();
-  ~vtkSurfaceReport() override;
+  vtkWindingNumberReport();
+  ~vtkWindingNumberReport() override;
 
-  vtkSurfaceReport(const vtkSurfaceReport&) = delete;
-  void operator=(const vtkSurfaceReport&) = delete;
+  vtkWindingNumberReport(const vtkWindingNumberReport&) = delete;
+  void operator=(const vtkWindingNumberReport&) = delete;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSourceReader.h"
+#include "vtkWindingNumberReader.h"
 
 #include "files/ColumnNames.h"
 #include "files/MeshFormats.h"
@@ -25,7 +25,7 @@
 #include <utility>
 #include <vector>
 
-vtkStandardNewMacro(vtkSourceReader);
+vtkStandardNewMacro(vtkWindingNumberReader);
 
 namespace
 {
@@ -73,45 +73,45 @@ unsigned long errorCodeOf(winding::FileFault fault)
 
 } // namespace
 
-vtkSourceReader::vtkSourceReader()
+vtkWindingNumberReader::vtkWindingNumberReader()
   : Table(std::make_unique<winding::PointTable>())
 {
   this->SetNumberOfInputPorts(0);
 }
 
-vtkSourceReader::~vtkSourceReader()
+vtkWindingNumberReader::~vtkWindingNumberReader()
 {
   this->SetFileName(nullptr);
   this->SetColumns(nullptr);
 }
 
-const char* vtkSourceReader::GetFileExtensions()
+const char* vtkWindingNumberReader::GetFileExtensions()
 {
   return winding::suffixesOfMeshes().c_str();
 }
 
-std::string vtkSourceReader::GetHeader() const
+std::string vtkWindingNumberReader::GetHeader() const
 {
   return this->Table->header;
 }
 
-std::string vtkSourceReader::GetRow(vtkIdType point) const
+std::string vtkWindingNumberReader::GetRow(vtkIdType point) const
 {
   const auto row = static_cast<std::size_t>(point); // negative ones become large
   return row < this->Table->rows.size() ? std::string(this->Table->rows[row]) : std::string();
 }
 
-char vtkSourceReader::GetSeparator() const
+char vtkWindingNumberReader::GetSeparator() const
 {
   return this->Table->separator;
 }
 
-bool vtkSourceReader::GetHasDecimalCommas() const
+bool vtkWindingNumberReader::GetHasDecimalCommas() const
 {
   return this->Table->hasDecimalCommas;
 }
 
-int vtkSourceReader::RequestData(
+int vtkWindingNumberReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   // The library of the filters knows which front end this is, and which ranks there are.
@@ -152,7 +152,7 @@ int vtkSourceReader::RequestData(
   return 0;
 }
 
-void vtkSourceReader::Read(
+void vtkWindingNumberReader::Read(
   const winding::InputFile& file, winding::Executor& executor, vtkPolyData* output)
 {
   const winding::MeshFormat& format = winding::formatOf(file);
@@ -170,7 +170,7 @@ void vtkSourceReader::Read(
   winding::handOver(mesh, output);
 }
 
-void vtkSourceReader::ReadTable(
+void vtkWindingNumberReader::ReadTable(
   const winding::InputFile& file, char separator, winding::Executor& executor, vtkPolyData* output)
 {
   winding::TableOptions options;
@@ -200,13 +200,13 @@ void vtkSourceReader::ReadTable(
   *this->Table = std::move(table);
 }
 
-winding::ColumnChoice vtkSourceReader::ChosenColumns() const
+winding::ColumnChoice vtkWindingNumberReader::ChosenColumns() const
 {
   const std::string text = this->Columns ? this->Columns : "";
   return text.empty() ? winding::ColumnChoice() : winding::ColumnChoice(text);
 }
 
-void vtkSourceReader::PrintSelf(ostream& os, vtkIndent indent)
+void vtkWindingNumberReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";

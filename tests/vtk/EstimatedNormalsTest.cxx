@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtk/PointAreasOfSpheres.h"
+#include "vtk/NormalsOfSpheres.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkExtractSurface.h"
@@ -44,7 +44,7 @@ vtkSmartPointer<vtkPolyData> bareShell()
 
 } // namespace
 
-TEST_F(PointAreas, NormalsAreEstimatedOnRequest)
+TEST_F(Normals, AreEstimatedOnRequest)
 {
   auto input = cloud();
   input->GetPointData()->Initialize();
@@ -85,7 +85,7 @@ TEST_F(PointAreas, NormalsAreEstimatedOnRequest)
   EXPECT_STREQ(filter->GetNormalEstimationUsed(), "");
 }
 
-TEST_F(PointAreas, EstimatedNormalsGiveTheFieldOfTheWindingFilters)
+TEST_F(Normals, EstimatedNormalsGiveTheFieldOfTheWindingFilters)
 {
   const auto shell = bareShell();
   filter->EstimateNormalsOn();
@@ -119,7 +119,7 @@ TEST_F(PointAreas, EstimatedNormalsGiveTheFieldOfTheWindingFilters)
   }
 }
 
-TEST_F(PointAreas, PointsOfMeshesGetTheNormalsOfTheirTriangles)
+TEST_F(Normals, PointsOfMeshesGetTheNormalsOfTheirTriangles)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(20);
@@ -143,7 +143,7 @@ TEST_F(PointAreas, PointsOfMeshesGetTheNormalsOfTheirTriangles)
   }
 }
 
-TEST_F(PointAreas, EstimatedNormalsAreTakenByFiltersOfVtk)
+TEST_F(Normals, EstimatedNormalsAreTakenByFiltersOfVtk)
 {
   filter->SetInputData(bareShell());
   filter->EstimateNormalsOn();
@@ -160,7 +160,7 @@ TEST_F(PointAreas, EstimatedNormalsAreTakenByFiltersOfVtk)
   EXPECT_NEAR(surfaceOf(surface->GetOutput()), 4 * pi * 1.49, 0.05 * 4 * pi * 1.49);
 }
 
-TEST_F(PointAreas, EstimatedNormalsOfUnusablePointsAreZero)
+TEST_F(Normals, EstimatedNormalsOfUnusablePointsAreZero)
 {
   auto input = cloud();
   input->GetPointData()->Initialize();
@@ -174,7 +174,7 @@ TEST_F(PointAreas, EstimatedNormalsOfUnusablePointsAreZero)
   EXPECT_NE(log.warnings().find("unusable"), std::string::npos) << log.warnings();
 }
 
-TEST_F(PointAreas, EstimatedNormalsAreThoseOfAllLeaves)
+TEST_F(Normals, EstimatedNormalsAreThoseOfAllLeaves)
 {
   // A half of a sphere in each leaf, one of which has normals, which all are inward.
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -220,7 +220,7 @@ TEST_F(PointAreas, EstimatedNormalsAreThoseOfAllLeaves)
   }
 }
 
-TEST_F(PointAreas, EstimatedNormalsThatTellNoInsideComeWithAWarning)
+TEST_F(Normals, EstimatedNormalsThatTellNoInsideComeWithAWarning)
 {
   vtkNew<vtkPolyData> input;
   vtkNew<vtkPoints> points;

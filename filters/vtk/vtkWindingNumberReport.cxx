@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSurfaceReport.h"
+#include "vtkWindingNumberReport.h"
 
 #include "base/Refusal.h"
 #include "messages/Options.h"
@@ -43,22 +43,22 @@
 #include <string>
 #include <vector>
 
-vtkStandardNewMacro(vtkSurfaceReport);
+vtkStandardNewMacro(vtkWindingNumberReport);
 
-vtkSurfaceReport::vtkSurfaceReport()
+vtkWindingNumberReport::vtkWindingNumberReport()
   : Controller(vtkMultiProcessController::GetGlobalController())
 {
   this->SetNumberOfOutputPorts(2);
 }
 
-vtkSurfaceReport::~vtkSurfaceReport()
+vtkWindingNumberReport::~vtkWindingNumberReport()
 {
   this->SetNormalsArray(nullptr);
   this->SetMirror(nullptr);
   this->SetFlatBase(nullptr);
 }
 
-void vtkSurfaceReport::SetController(vtkMultiProcessController* controller)
+void vtkWindingNumberReport::SetController(vtkMultiProcessController* controller)
 {
   if (controller != this->Controller)
   {
@@ -67,25 +67,25 @@ void vtkSurfaceReport::SetController(vtkMultiProcessController* controller)
   }
 }
 
-vtkMultiProcessController* vtkSurfaceReport::GetController() const
+vtkMultiProcessController* vtkWindingNumberReport::GetController() const
 {
   return this->Controller;
 }
 
-int vtkSurfaceReport::FillInputPortInformation(int, vtkInformation* info)
+int vtkWindingNumberReport::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet"); // some of them are refused
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 
-int vtkSurfaceReport::FillOutputPortInformation(int port, vtkInformation* info)
+int vtkWindingNumberReport::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkMultiBlockDataSet");
   return 1;
 }
 
-int vtkSurfaceReport::RequestUpdateExtent(
+int vtkWindingNumberReport::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   winding::requestPart(inputs[0]->GetInformationObject(0), winding::Ranks(this->Controller),
@@ -93,7 +93,7 @@ int vtkSurfaceReport::RequestUpdateExtent(
   return 1;
 }
 
-int vtkSurfaceReport::RequestData(
+int vtkWindingNumberReport::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->Report->Initialize();
@@ -124,7 +124,8 @@ int vtkSurfaceReport::RequestData(
   return 1;
 }
 
-void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, winding::Ranks& ranks)
+void vtkWindingNumberReport::MakeReport(
+  vtkDataObject* source, vtkPolyData* output, winding::Ranks& ranks)
 {
   winding::checkProperty(winding::Parameter::faultThickness, this->FaultThickness);
   winding::checkProperty(winding::Parameter::weldTolerance, this->WeldTolerance);
@@ -211,34 +212,34 @@ void vtkSurfaceReport::MakeReport(vtkDataObject* source, vtkPolyData* output, wi
   output->ShallowCopy(surface);
 }
 
-vtkMultiBlockDataSet* vtkSurfaceReport::GetFaults()
+vtkMultiBlockDataSet* vtkWindingNumberReport::GetFaults()
 {
   return vtkMultiBlockDataSet::SafeDownCast(this->GetOutputDataObject(1));
 }
 
-vtkFieldData* vtkSurfaceReport::GetReport()
+vtkFieldData* vtkWindingNumberReport::GetReport()
 {
   return this->Report;
 }
 
-double vtkSurfaceReport::GetNumber(const char* name)
+double vtkWindingNumberReport::GetNumber(const char* name)
 {
   vtkDataArray* array = this->Report->GetArray(name);
   return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : 0;
 }
 
-vtkIdType vtkSurfaceReport::GetCount(const char* name)
+vtkIdType vtkWindingNumberReport::GetCount(const char* name)
 {
   return static_cast<vtkIdType>(this->GetNumber(name)); // a double holds what fits into memory
 }
 
-const char* vtkSurfaceReport::GetAdvice()
+const char* vtkWindingNumberReport::GetAdvice()
 {
   auto* advice = vtkStringArray::SafeDownCast(this->Report->GetAbstractArray("advice"));
   return advice ? advice->GetValue(0).c_str() : "";
 }
 
-const char* vtkSurfaceReport::GetAdviceInLines()
+const char* vtkWindingNumberReport::GetAdviceInLines()
 {
   constexpr std::size_t longest = 44;
   std::istringstream words(this->GetAdvice());
@@ -255,152 +256,152 @@ const char* vtkSurfaceReport::GetAdviceInLines()
   return this->AdviceInLines.c_str();
 }
 
-bool vtkSurfaceReport::GetSourceIsSurface()
+bool vtkWindingNumberReport::GetSourceIsSurface()
 {
   return this->Report->HasArray("triangles");
 }
 
-bool vtkSurfaceReport::GetClosed()
+bool vtkWindingNumberReport::GetClosed()
 {
   return this->GetNumber("closed") != 0;
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfTriangles()
+vtkIdType vtkWindingNumberReport::GetNumberOfTriangles()
 {
   return this->GetCount("triangles");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfBoundaryEdges()
+vtkIdType vtkWindingNumberReport::GetNumberOfBoundaryEdges()
 {
   return this->GetCount("boundary_edges");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfBoundaryLoops()
+vtkIdType vtkWindingNumberReport::GetNumberOfBoundaryLoops()
 {
   return this->GetCount("boundary_loops");
 }
 
-double vtkSurfaceReport::GetWidestSlit()
+double vtkWindingNumberReport::GetWidestSlit()
 {
   return this->GetNumber("widest_slit");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfNonManifoldEdges()
+vtkIdType vtkWindingNumberReport::GetNumberOfNonManifoldEdges()
 {
   return this->GetCount("nonmanifold_edges");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfInconsistentEdges()
+vtkIdType vtkWindingNumberReport::GetNumberOfInconsistentEdges()
 {
   return this->GetCount("inconsistent_edges");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfComponents()
+vtkIdType vtkWindingNumberReport::GetNumberOfComponents()
 {
   return this->GetCount("components_edge");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfClosedComponents()
+vtkIdType vtkWindingNumberReport::GetNumberOfClosedComponents()
 {
   return this->GetCount("closed_components");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfInvertedComponents()
+vtkIdType vtkWindingNumberReport::GetNumberOfInvertedComponents()
 {
   return this->GetCount("inverted_components");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfNestedSolids()
+vtkIdType vtkWindingNumberReport::GetNumberOfNestedSolids()
 {
   return this->GetCount("nested_solids");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfOneSidedComponents()
+vtkIdType vtkWindingNumberReport::GetNumberOfOneSidedComponents()
 {
   return this->GetCount("one_sided_components");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfFlippedTriangles()
+vtkIdType vtkWindingNumberReport::GetNumberOfFlippedTriangles()
 {
   return this->GetCount("flipped_triangles");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfFlippedComponents()
+vtkIdType vtkWindingNumberReport::GetNumberOfFlippedComponents()
 {
   return this->GetCount("flipped_components");
 }
 
-double vtkSurfaceReport::GetFractionalShare()
+double vtkWindingNumberReport::GetFractionalShare()
 {
   return this->GetNumber("fractional_share");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfDuplicateFaces()
+vtkIdType vtkWindingNumberReport::GetNumberOfDuplicateFaces()
 {
   return this->GetCount("duplicate_faces");
 }
 
-double vtkSurfaceReport::GetVolume()
+double vtkWindingNumberReport::GetVolume()
 {
   return this->GetNumber("volume");
 }
 
-double vtkSurfaceReport::GetArea()
+double vtkWindingNumberReport::GetArea()
 {
   return this->GetNumber("area");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfPoints()
+vtkIdType vtkWindingNumberReport::GetNumberOfPoints()
 {
   return this->GetCount("points");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfDuplicatePoints()
+vtkIdType vtkWindingNumberReport::GetNumberOfDuplicatePoints()
 {
   return this->GetCount("duplicates");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfZeroNormals()
+vtkIdType vtkWindingNumberReport::GetNumberOfZeroNormals()
 {
   return this->GetCount("zero_normals");
 }
 
-bool vtkSurfaceReport::GetHasNormals()
+bool vtkWindingNumberReport::GetHasNormals()
 {
   return this->GetNumber("normals") != 0;
 }
 
-double vtkSurfaceReport::GetMedianSpacing()
+double vtkWindingNumberReport::GetMedianSpacing()
 {
   return this->GetNumber("spacing_median");
 }
 
-double vtkSurfaceReport::GetOppositeNeighbors()
+double vtkWindingNumberReport::GetOppositeNeighbors()
 {
   return this->GetNumber("opposite_neighbors");
 }
 
-double vtkSurfaceReport::GetOutwardShare()
+double vtkWindingNumberReport::GetOutwardShare()
 {
   return this->GetNumber("outward_share");
 }
 
-double vtkSurfaceReport::GetInwardShare()
+double vtkWindingNumberReport::GetInwardShare()
 {
   return this->GetNumber("inward_share");
 }
 
-vtkIdType vtkSurfaceReport::GetNumberOfNonFinite()
+vtkIdType vtkWindingNumberReport::GetNumberOfNonFinite()
 {
   return this->GetCount("non_finite");
 }
 
-const char* vtkSurfaceReport::GetSourceDistributionAsString() const
+const char* vtkWindingNumberReport::GetSourceDistributionAsString() const
 {
   return winding::nameOfChoice(winding::Parameter::sourceDistribution, this->SourceDistribution);
 }
 
-void vtkSurfaceReport::PrintSelf(ostream& os, vtkIndent indent)
+void vtkWindingNumberReport::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NormalsArray: " << winding::textOf(this->NormalsArray) << "\n";

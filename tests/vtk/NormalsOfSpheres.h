@@ -8,10 +8,10 @@
 #include "vtkDoubleArray.h"
 #include "vtkMassProperties.h"
 #include "vtkNew.h"
-#include "vtkPointAreas.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
+#include "vtkWindingNumberNormals.h"
 
 #include <gtest/gtest.h>
 
@@ -79,7 +79,7 @@ inline double sumOf(const std::vector<double>& values)
 } // namespace spheres
 
 /// Areas of points, by a filter whose input a test may set.
-class PointAreas : public testing::Test
+class Normals : public testing::Test
 {
 protected:
   std::vector<double> areasOf(vtkDataObject* input)
@@ -100,5 +100,5 @@ protected:
     EXPECT_EQ(filter->GetTotalArea(), 0);
   }
 
-  vtkNew<vtkPointAreas> filter;
+  vtkNew<vtkWindingNumberNormals> filter;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtk/HowTo.h"
-#include "vtk/PointAreasOfSpheres.h"
+#include "vtk/NormalsOfSpheres.h"
 #include "vtk/ProgressLog.h"
 
 #include "vtkAppendFilter.h"
@@ -16,7 +16,6 @@
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkPointAreas.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -25,6 +24,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkWindingNumberField.h"
+#include "vtkWindingNumberNormals.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ vtkSmartPointer<vtkUnsignedCharArray> ghosts(vtkIdType count, unsigned char flag
 
 } // namespace
 
-TEST_F(PointAreas, OfACloudAreThatOfItsSurface)
+TEST_F(Normals, AreasOfACloudAreThatOfItsSurface)
 {
   const std::vector<double> areas = this->areasOf(cloud());
   EXPECT_NEAR(filter->GetTotalArea(), 4 * pi, 0.01 * 4 * pi); // measured 0.9987
@@ -62,7 +62,7 @@ TEST_F(PointAreas, OfACloudAreThatOfItsSurface)
   }
 }
 
-TEST_F(PointAreas, OutputIsTheInputWithAnArrayAdded)
+TEST_F(Normals, OutputIsTheInputWithAnArrayAdded)
 {
   auto input = cloud();
   vtkNew<vtkDoubleArray> heat;
@@ -87,9 +87,9 @@ TEST_F(PointAreas, OutputIsTheInputWithAnArrayAdded)
   EXPECT_GT(sumOf(areasIn(filter->GetOutput(), "Area")), 0);
 }
 
-TEST_F(PointAreas, OfAMeshAreThirdsOfItsTriangles)
+TEST_F(Normals, AreasOfAMeshAreThirdsOfItsTriangles)
 {
-  filter->SetPointAreaMethod(vtkPointAreas::MESH);
+  filter->SetPointAreaMethod(vtkWindingNumberNormals::MESH);
   this->areasOf(sphere());
   EXPECT_NEAR(filter->GetTotalArea(), surfaceOf(sphere()), 1e-12);
 
@@ -98,15 +98,15 @@ TEST_F(PointAreas, OfAMeshAreThirdsOfItsTriangles)
   bare->GetPointData()->Initialize();
   this->areasOf(bare);
   EXPECT_NEAR(filter->GetTotalArea(), surfaceOf(sphere()), 1e-12);
-  filter->SetPointAreaMethod(vtkPointAreas::VORONOI);
+  filter->SetPointAreaMethod(vtkWindingNumberNormals::VORONOI);
   this->areasOf(bare);
   EXPECT_NEAR(filter->GetTotalArea(), 4 * pi, 0.01 * 4 * pi);
 }
 
-TEST_F(PointAreas, ConstantIsThePropertyOrTheMean)
+TEST_F(Normals, ConstantAreaIsThePropertyOrTheMean)
 {
   const double total = sumOf(this->areasOf(cloud()));
-  filter->SetPointAreaMethod(vtkPointAreas::CONSTANT);
+  filter->SetPointAreaMethod(vtkWindingNumberNormals::CONSTANT);
   const std::vector<double> mean = this->areasOf(cloud());
   EXPECT_NEAR(mean[0], total / static_cast<double>(mean.size()), 1e-15);
   EXPECT_EQ(mean, std::vector<double>(mean.size(), mean[0]));
@@ -114,7 +114,7 @@ TEST_F(PointAreas, ConstantIsThePropertyOrTheMean)
   EXPECT_EQ(this->areasOf(cloud()), std::vector<double>(mean.size(), 0.25));
 }
 
-TEST_F(PointAreas, NeighborsAndNormalsAreThoseAskedFor)
+TEST_F(Normals, NeighborsAndNormalsAreThoseAskedFor)
 {
   auto input = cloud();
   const std::vector<double> areas = this->areasOf(input);
@@ -138,22 +138,22 @@ TEST_F(PointAreas, NeighborsAndNormalsAreThoseAskedFor)
   this->expectRefused(input, "there is no point array 'Down'");
 }
 
-TEST_F(PointAreas, WhatCannotBeIsRefused)
+TEST_F(Normals, WhatCannotBeIsRefused)
 {
-  filter->SetPointAreaMethod(vtkPointAreas::MESH);
+  filter->SetPointAreaMethod(vtkWindingNumberNormals::MESH);
   this->expectRefused(cloud(), "areas from the mesh need triangles");
   for (const int method : {-1, 3})
   {
     filter->SetPointAreaMethod(method);
     this->expectRefused(cloud(), "PointAreaMethod is " + std::to_string(method));
   }
-  filter->SetPointAreaMethod(vtkPointAreas::CONSTANT);
+  filter->SetPointAreaMethod(vtkWindingNumberNormals::CONSTANT);
   for (const double area : {-1.0, notANumber})
   {
     filter->SetPointArea(area);
     this->expectRefused(cloud(), "PointArea is");
   }
-  filter->SetPointAreaMethod(vtkPointAreas::VORONOI);
+  filter->SetPointAreaMethod(vtkWindingNumberNormals::VORONOI);
   filter->SetPointArea(0);
   auto flat = cloud();
   flat->GetPointData()->GetNormals()->Fill(0);
@@ -165,7 +165,7 @@ TEST_F(PointAreas, WhatCannotBeIsRefused)
   EXPECT_NEAR(filter->GetTotalArea(), 4 * pi, 0.01 * 4 * pi) << "the next input is worked with";
 }
 
-TEST_F(PointAreas, UnusablePointsHaveNoneAndAreCounted)
+TEST_F(Normals, UnusablePointsHaveNoAreaAndAreCounted)
 {
   // The unusable points are put between the others, to find that these keep their areas.
   const std::vector<double> areas = this->areasOf(cloud());
@@ -202,7 +202,7 @@ TEST_F(PointAreas, UnusablePointsHaveNoneAndAreCounted)
     << log.warnings();
 }
 
-TEST_F(PointAreas, PointsAtOnePlaceHaveNoneAndAWarning)
+TEST_F(Normals, PointsAtOnePlaceHaveNoAreaAndAWarning)
 {
   auto input = cloud();
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
@@ -218,7 +218,7 @@ TEST_F(PointAreas, PointsAtOnePlaceHaveNoneAndAWarning)
     << log.warnings();
 }
 
-TEST_F(PointAreas, OfNothingAreNone)
+TEST_F(Normals, OfNothingAreNone)
 {
   ErrorLog log(filter);
   EXPECT_TRUE(this->areasOf(vtkSmartPointer<vtkPolyData>::New()).empty());
@@ -228,7 +228,7 @@ TEST_F(PointAreas, OfNothingAreNone)
   EXPECT_EQ(log.errors() + log.warnings(), "");
 }
 
-TEST_F(PointAreas, GhostPointsHaveNone)
+TEST_F(Normals, GhostPointsHaveNoArea)
 {
   const std::vector<double> areas = this->areasOf(cloud());
   auto input = cloud();
@@ -246,7 +246,7 @@ TEST_F(PointAreas, GhostPointsHaveNone)
   EXPECT_EQ(this->areasOf(input), expected);
 }
 
-TEST_F(PointAreas, PointsOfGhostCellsHaveNone)
+TEST_F(Normals, PointsOfGhostCellsHaveNoArea)
 {
   // The cells of the lower half are another piece's.
   auto input = sphere();
@@ -258,7 +258,7 @@ TEST_F(PointAreas, PointsOfGhostCellsHaveNone)
     flags->SetValue(i, bounds[4] < 0 ? vtkDataSetAttributes::DUPLICATECELL : 0);
   }
   input->GetCellData()->AddArray(flags);
-  filter->SetPointAreaMethod(vtkPointAreas::MESH);
+  filter->SetPointAreaMethod(vtkWindingNumberNormals::MESH);
   const std::vector<double> areas = this->areasOf(input);
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
@@ -268,7 +268,7 @@ TEST_F(PointAreas, PointsOfGhostCellsHaveNone)
   EXPECT_GT(filter->GetTotalArea(), 0.4 * surfaceOf(sphere()));
 }
 
-TEST_F(PointAreas, LeavesOfCompositeDataAreOneCloud)
+TEST_F(Normals, LeavesOfCompositeDataAreOneCloud)
 {
   const std::vector<double> areas = this->areasOf(cloud());
   const double alone = filter->GetTotalArea();
@@ -302,7 +302,7 @@ TEST_F(PointAreas, LeavesOfCompositeDataAreOneCloud)
   EXPECT_FALSE(block->GetPointData()->HasArray("Area")) << "the input is as it was";
 }
 
-TEST_F(PointAreas, PartitionedDataStaysWhatItIs)
+TEST_F(Normals, PartitionedDataStaysWhatItIs)
 {
   vtkNew<vtkPartitionedDataSet> parts;
   parts->SetPartition(0, cloud());
@@ -318,7 +318,7 @@ TEST_F(PointAreas, PartitionedDataStaysWhatItIs)
   }
 }
 
-TEST_F(PointAreas, MeshesAndCloudsTogetherAreOneCloud)
+TEST_F(Normals, MeshesAndCloudsTogetherAreOneCloud)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, sphere());
@@ -328,7 +328,7 @@ TEST_F(PointAreas, MeshesAndCloudsTogetherAreOneCloud)
   EXPECT_NEAR(filter->GetTotalArea(), 8 * pi, 0.01 * 8 * pi);
 }
 
-TEST_F(PointAreas, OutputIsOfTheInputsType)
+TEST_F(Normals, OutputIsOfTheInputsType)
 {
   const std::vector<double> areas = this->areasOf(cloud());
   vtkNew<vtkAppendFilter> append; // makes an unstructured grid
@@ -340,7 +340,7 @@ TEST_F(PointAreas, OutputIsOfTheInputsType)
   EXPECT_TRUE(filter->GetOutput()->IsA("vtkPolyData"));
 }
 
-TEST_F(PointAreas, PointsInsideOfVolumeMeshesHaveNone)
+TEST_F(Normals, PointsInsideOfVolumeMeshesHaveNoArea)
 {
   constexpr int n = 11;
   vtkNew<vtkImageData> box;
@@ -352,7 +352,7 @@ TEST_F(PointAreas, PointsInsideOfVolumeMeshesHaveNone)
   vtkNew<vtkStructuredGrid> structured;
   structured->SetDimensions(n, n, n);
   structured->SetPoints(hexahedra->GetOutput()->GetPoints());
-  filter->SetPointAreaMethod(vtkPointAreas::MESH);
+  filter->SetPointAreaMethod(vtkWindingNumberNormals::MESH);
   for (vtkPointSet* input :
     std::initializer_list<vtkPointSet*>{hexahedra->GetOutput(), structured.Get()})
   {
@@ -372,7 +372,7 @@ TEST_F(PointAreas, PointsInsideOfVolumeMeshesHaveNone)
   }
 }
 
-TEST_F(PointAreas, NodesOfCurvedCellsHaveAreas)
+TEST_F(Normals, NodesOfCurvedCellsHaveAreas)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -386,14 +386,14 @@ TEST_F(PointAreas, NodesOfCurvedCellsHaveAreas)
   grid->SetPoints(points);
   grid->InsertNextCell(VTK_LAGRANGE_TETRAHEDRON, 20, ids.data());
   ErrorLog log(filter);
-  filter->SetPointAreaMethod(vtkPointAreas::MESH);
+  filter->SetPointAreaMethod(vtkWindingNumberNormals::MESH);
   const double sum = sumOf(this->areasOf(grid));
   EXPECT_EQ(sum, filter->GetTotalArea());
   EXPECT_EQ(log.errors(), "");
   EXPECT_EQ(log.warnings(), "") << "every point of its triangles is a node";
 }
 
-TEST_F(PointAreas, HaveTheSameBitsForAnyNumberOfThreads)
+TEST_F(Normals, HaveTheSameBitsForAnyNumberOfThreads)
 {
   filter->SetNumberOfThreads(1);
   const std::vector<double> areas = this->areasOf(cloud());
@@ -404,7 +404,7 @@ TEST_F(PointAreas, HaveTheSameBitsForAnyNumberOfThreads)
   }
 }
 
-TEST_F(PointAreas, GiveTheFieldThatTheirMethodGives)
+TEST_F(Normals, AreasGiveTheFieldThatTheirMethodGives)
 {
   auto unoriented = cloud();
   unoriented->GetPointData()->Initialize();
@@ -420,9 +420,10 @@ TEST_F(PointAreas, GiveTheFieldThatTheirMethodGives)
     cloud(), sphere(), unoriented, grid->GetOutput(), blocks.Get(), spoilt};
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
-    for (const int method : {vtkPointAreas::VORONOI, vtkPointAreas::MESH, vtkPointAreas::CONSTANT})
+    for (const int method : {vtkWindingNumberNormals::VORONOI, vtkWindingNumberNormals::MESH,
+           vtkWindingNumberNormals::CONSTANT})
     {
-      if (method == vtkPointAreas::MESH && i != 1 && i != 3)
+      if (method == vtkWindingNumberNormals::MESH && i != 1 && i != 3)
       {
         continue; // this input has no triangles
       }
@@ -458,7 +459,7 @@ TEST_F(PointAreas, GiveTheFieldThatTheirMethodGives)
   }
 }
 
-TEST_F(PointAreas, AreFoundAnewWhenSomethingChangedOnly)
+TEST_F(Normals, AreFoundAnewWhenSomethingChangedOnly)
 {
   vtkNew<vtkSphereSource> source;
   filter->SetInputConnection(source->GetOutputPort());
@@ -483,7 +484,7 @@ TEST_F(PointAreas, AreFoundAnewWhenSomethingChangedOnly)
   EXPECT_EQ(executions, 3);
 }
 
-TEST_F(PointAreas, AbortLeavesAnEmptyOutputAndTheNextUpdateStartsAfresh)
+TEST_F(Normals, AbortLeavesAnEmptyOutputAndTheNextUpdateStartsAfresh)
 {
   auto stopper = std::make_unique<ProgressLog>(filter, 0);
   ErrorLog log(filter);

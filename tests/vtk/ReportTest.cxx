@@ -17,9 +17,9 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
-#include "vtkSurfaceReport.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkWindingNumberReport.h"
 
 #include <gtest/gtest.h>
 
@@ -81,7 +81,7 @@ vtkSmartPointer<vtkUnstructuredGrid> hexahedra()
   return cells->GetOutput();
 }
 
-class SurfaceReport : public testing::Test
+class Report : public testing::Test
 {
 protected:
   vtkPolyData* reportOn(vtkDataObject* source)
@@ -125,10 +125,10 @@ protected:
     EXPECT_EQ(std::string(filter->GetAdvice()), "");
   }
 
-  vtkNew<vtkSurfaceReport> filter;
+  vtkNew<vtkWindingNumberReport> filter;
 };
 
-TEST_F(SurfaceReport, OfAClosedSurfacePassesItThroughWithItsCounts)
+TEST_F(Report, OfAClosedSurfacePassesItThroughWithItsCounts)
 {
   auto source = sphere();
   vtkPolyData* output = this->reportOn(source);
@@ -170,7 +170,7 @@ TEST_F(SurfaceReport, OfAClosedSurfacePassesItThroughWithItsCounts)
   }
 }
 
-TEST_F(SurfaceReport, HasGettersForASurface)
+TEST_F(Report, HasGettersForASurface)
 {
   auto source = sphere();
   EXPECT_EQ(filter->GetNumberOfTriangles(), 0) << "nothing before it has run";
@@ -219,7 +219,7 @@ TEST_F(SurfaceReport, HasGettersForASurface)
   EXPECT_EQ(filter->GetNumberOfPoints(), 0) << "of a cloud";
 }
 
-TEST_F(SurfaceReport, OfACloud)
+TEST_F(Report, OfACloud)
 {
   auto source = cloud();
   vtkPolyData* output = this->reportOn(source);
@@ -246,7 +246,7 @@ TEST_F(SurfaceReport, OfACloud)
   EXPECT_LE(this->number("spacing_median"), this->number("spacing_max"));
 }
 
-TEST_F(SurfaceReport, OfPointsWithoutNormalsIsNoError)
+TEST_F(Report, OfPointsWithoutNormalsIsNoError)
 {
   ErrorLog log(filter);
   this->reportOn(cloud(false));
@@ -257,7 +257,7 @@ TEST_F(SurfaceReport, OfPointsWithoutNormalsIsNoError)
   EXPECT_NE(std::string(filter->GetAdvice()).find("EstimateNormals"), std::string::npos);
 }
 
-TEST_F(SurfaceReport, SaysThatLinesBoundNothing)
+TEST_F(Report, SaysThatLinesBoundNothing)
 {
   vtkNew<vtkCellArray> line;
   line->InsertNextCell({0, 1, 2});
@@ -274,7 +274,7 @@ TEST_F(SurfaceReport, SaysThatLinesBoundNothing)
     << text("advice");
 }
 
-TEST_F(SurfaceReport, KeepsLinesNextToASurface)
+TEST_F(Report, KeepsLinesNextToASurface)
 {
   vtkNew<vtkCellArray> line;
   line->InsertNextCell({0, 1, 2});
@@ -303,7 +303,7 @@ TEST_F(SurfaceReport, KeepsLinesNextToASurface)
   }
 }
 
-TEST_F(SurfaceReport, TakesTheNormalsArrayThatIsNamed)
+TEST_F(Report, TakesTheNormalsArrayThatIsNamed)
 {
   auto source = cloud();
   vtkNew<vtkFloatArray> zero;
@@ -319,7 +319,7 @@ TEST_F(SurfaceReport, TakesTheNormalsArrayThatIsNamed)
   expectRefused(source, "there is no point array 'none'");
 }
 
-TEST_F(SurfaceReport, OfAVolumeMeshPassesItsOuterSurfaceThrough)
+TEST_F(Report, OfAVolumeMeshPassesItsOuterSurfaceThrough)
 {
   vtkPolyData* output = this->reportOn(hexahedra());
   EXPECT_EQ(output->GetNumberOfPolys(), 24);
@@ -330,7 +330,7 @@ TEST_F(SurfaceReport, OfAVolumeMeshPassesItsOuterSurfaceThrough)
   EXPECT_EQ(this->number("unreferenced_vertices"), 0);
 }
 
-TEST_F(SurfaceReport, OfAGridOfPointsPassesVerticesThrough)
+TEST_F(Report, OfAGridOfPointsPassesVerticesThrough)
 {
   auto source = gridCloud();
   vtkPolyData* output = this->reportOn(source);
@@ -341,7 +341,7 @@ TEST_F(SurfaceReport, OfAGridOfPointsPassesVerticesThrough)
   EXPECT_TRUE(filter->GetHasNormals());
 }
 
-TEST_F(SurfaceReport, OfACompositeAppendsItsLeaves)
+TEST_F(Report, OfACompositeAppendsItsLeaves)
 {
   vtkNew<vtkMultiBlockDataSet> nested, blocks;
   nested->SetBlock(0, hexahedra());
@@ -363,7 +363,7 @@ TEST_F(SurfaceReport, OfACompositeAppendsItsLeaves)
   EXPECT_EQ(filter->GetNumberOfDuplicatePoints(), cloud()->GetNumberOfPoints());
 }
 
-TEST_F(SurfaceReport, LeavesGhostsUncounted)
+TEST_F(Report, LeavesGhostsUncounted)
 {
   auto ghost = sphere();
   vtkNew<vtkUnsignedCharArray> flags;
@@ -379,7 +379,7 @@ TEST_F(SurfaceReport, LeavesGhostsUncounted)
   EXPECT_EQ(filter->GetNumberOfDuplicateFaces(), 0);
 }
 
-TEST_F(SurfaceReport, OfNothingSaysSo)
+TEST_F(Report, OfNothingSaysSo)
 {
   ErrorLog log(filter);
   this->reportOn(vtkSmartPointer<vtkPolyData>::New());
@@ -392,7 +392,7 @@ TEST_F(SurfaceReport, OfNothingSaysSo)
   EXPECT_EQ(log.errors(), "");
 }
 
-TEST_F(SurfaceReport, RefusesWhatIsNoSource)
+TEST_F(Report, RefusesWhatIsNoSource)
 {
   vtkNew<vtkMultiBlockDataSet> mixed, image;
   mixed->SetBlock(0, sphere());
@@ -411,7 +411,7 @@ TEST_F(SurfaceReport, RefusesWhatIsNoSource)
   EXPECT_TRUE(filter->GetClosed()) << "and works again";
 }
 
-TEST_F(SurfaceReport, AbortedIsEmptyAndTheNextUpdateStartsAfresh)
+TEST_F(Report, AbortedIsEmptyAndTheNextUpdateStartsAfresh)
 {
   auto stopper = std::make_unique<ProgressLog>(filter, 0);
   ErrorLog log(filter);
@@ -426,7 +426,7 @@ TEST_F(SurfaceReport, AbortedIsEmptyAndTheNextUpdateStartsAfresh)
   EXPECT_EQ(this->reportOn(source)->GetNumberOfPoints(), source->GetNumberOfPoints());
 }
 
-TEST_F(SurfaceReport, AdviceComesInLinesToo)
+TEST_F(Report, AdviceComesInLinesToo)
 {
   vtkNew<vtkSphereSource> half;
   half->SetEndPhi(90);
