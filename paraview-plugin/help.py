@@ -152,7 +152,7 @@ def main():
             for proxy in group:
                 proxies[group.get("name"), proxy.get("name")] = proxy
     for (group, name), proxy in proxies.items():
-        if group in ("filters", "sources"):
+        if group in ("filters", "sources") and proxy.find("Deprecated") is None:
             (folder / f"{group}.{name}.html").write_text(page(proxy, proxies), encoding="utf-8")
     for picture in PICTURES.glob("*.png"):
         (folder / picture.name).write_bytes(picture.read_bytes())

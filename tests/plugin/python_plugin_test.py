@@ -228,6 +228,33 @@ for name in ("field", "voxels", "surface", "probe"):
         self.assertEqual(len(facts[0]), 4)
         self.assertEqual(facts, [facts[0]] * 4)
 
+    def test_names_of_1_0_open_with_a_line_on_the_new_ones(self):
+        renamed = {"SurfaceReport": "WindingNumberReport", "PointAreas": "WindingNumberNormals"}
+        for plugin in (self.cxx, self.python):
+            state = self.folder / "old.pvsm"
+            out = self.run_text(plugin, f"""
+for old, new in {renamed}.items():
+    getattr(simple, new)(registrationName=old, Input=simple.Sphere(), NormalsArray="N")
+simple.SaveState(sys.argv[1])
+""", state)
+            self.assertNotIn("deprecated", out)
+            text = state.read_text()
+            for old, new in renamed.items():
+                self.assertEqual(text.count(f'type="{new}"'), 1)
+                text = text.replace(f'type="{new}"', f'type="{old}"')
+            state.write_text(text)
+            out = self.run_text(plugin, f"""
+simple.LoadState(sys.argv[1])
+for old in {list(renamed)}:
+    made = getattr(simple, old)(Input=simple.Sphere(), NormalsArray="N")
+    for proxy in (simple.FindSource(old), made):
+        print("fact", proxy.GetVTKClassName()[-19:], proxy.NormalsArray)
+""", state)
+            for old, new in renamed.items():
+                self.assertEqual(out.count(f"fact {new[-19:]} 'N'"), 2, out)
+                line = rf"\(filters, {old}\).* deprecated .* Winding 1\.1 .*\s+Use {new}\."
+                self.assertEqual(len(re.findall(line, out)), 2, out)
+
     def on_two_ranks(self):
         mpirun = os.environ.get("WINDING_MPIRUN")
         if not mpirun:
