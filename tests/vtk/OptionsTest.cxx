@@ -3,6 +3,7 @@
 #include "private/source/ContentHash.h"
 #include "support/Shapes.h"
 #include "vtk/ErrorLog.h"
+#include "vtk/ListedOptions.h"
 #include "vtk/SphereCloud.h"
 
 #include "vtkCellArray.h"
@@ -23,14 +24,11 @@
 
 #include <array>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
 #include <string>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
 /**
  * @file
@@ -40,99 +38,6 @@
 
 namespace
 {
-
-/// A value for a setter, whatever type it takes.
-class Value
-{
-public:
-  explicit Value(double number)
-    : number_(number)
-  {
-    integers_.fill(static_cast<int>(number));
-    for (std::size_t i = 0; i < numbers_.size(); ++i)
-    {
-      numbers_[i] = i % 2 == 0 ? -number : number;
-    }
-  }
-  explicit Value(std::string text)
-    : text_(std::move(text))
-  {
-  }
-
-  operator int() const { return static_cast<int>(number_); }
-  operator double() const { return number_; }
-  operator bool() const { return number_ != 0; }
-  operator const char*() const { return text_.c_str(); }
-  operator const int*() const { return integers_.data(); }
-  operator const double*() const { return numbers_.data(); }
-
-private:
-  double number_ = 0;
-  std::string text_;
-  std::array<int, 3> integers_ = {};
-  std::array<double, 6> numbers_ = {};
-};
-
-/// Sets a property of a filter that has it; returns whether it does.
-#define PROPERTY(name)                                                                             \
-  struct Of##name                                                                                  \
-  {                                                                                                \
-    template <class Filter>                                                                        \
-    static auto set(Filter& filter, const Value& value, int)                                       \
-      -> decltype(filter.Set##name(value), bool())                                                 \
-    {                                                                                              \
-      filter.Set##name(value);                                                                     \
-      return true;                                                                                 \
-    }                                                                                              \
-    template <class Filter> static bool set(Filter&, const Value&, long) { return false; }         \
-  };
-#define PROPERTIES(apply)                                                                          \
-  apply(Method) apply(Tolerance) apply(Regularization) apply(NumberOfThreads)                      \
-    apply(LongestExpectedTime) apply(SourceAsPoints) apply(UseSurfaceCells) apply(OrientFaces)     \
-      apply(IgnoreOpenParts) apply(Mirror) apply(FlatBase) apply(SheetSide) apply(WeldTolerance)   \
-        apply(SourceDistribution) apply(NormalsArray) apply(EstimateNormals)                       \
-          apply(NormalEstimation) apply(Toward) apply(PointAreaMethod) apply(PointArea)            \
-            apply(AreaArray) apply(NumberOfNeighbors) apply(Resolution) apply(VoxelSize)           \
-              apply(SamplingDimensions) apply(UseInputBounds) apply(BoundsOverAllTimes)            \
-                apply(SamplingBounds) apply(Padding) apply(OutputAssociation)                      \
-                  apply(WindingThreshold) apply(InsideRule) apply(InsideOut) apply(Coverage)       \
-                    apply(CoverageSamples) apply(UnionOverAllTimes) apply(GenerateWindingNumber)   \
-                      apply(GenerateInside) apply(GenerateSignedDistance) apply(GenerateFraction)  \
-                        apply(DistanceBand) apply(ResultArrayName) apply(InsideArrayName)          \
-                          apply(OutputScalarType) apply(VerifySamples) apply(Features)             \
-                            apply(GenerateTriangles) apply(CloseBorder) apply(FillCavities)        \
-                              apply(Offset) apply(Shell) apply(ShellSide) apply(GenerateNormals)   \
-                                apply(OutputPointsPrecision) apply(GenerateDistanceToInput)        \
-                                  apply(TransferAttributes) apply(GenerateNearestCells)            \
-                                    apply(GenerateImage) apply(FidelitySamples) apply(Operation)   \
-                                      apply(OverlapRule) apply(RegionArray) apply(LabelOffset)     \
-                                        apply(GenerateSolidCount) apply(CoverageArrays)            \
-                                          apply(ProbeAssociation) apply(ExtractInside)
-PROPERTIES(PROPERTY)
-
-/// An option as the list has it.
-struct Listed
-{
-  std::string kind, standard;
-  double lowest, highest;
-};
-
-/// Returns the options of the list by their properties.
-const std::map<std::string, Listed>& listed()
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  static const std::map<std::string, Listed> options = {
-#define OPTION(parameter, property, kind, standard, lowest, highest, ...)                          \
-  {property, {#kind, standard, static_cast<double>(lowest), static_cast<double>(highest)}},
-#define CHOICE(...)
-#define OTHER(...)
-#include "Options.def"
-#undef OPTION
-#undef CHOICE
-#undef OTHER
-  };
-  return options;
-}
 
 /// Properties of readers, reports and surfaces of labels, which have no source that ranks share.
 const std::set<std::string> ofOthers = {"ByLabel", "FixOrientation", "FaultThickness", "Columns",
