@@ -11,6 +11,7 @@
 #include "sums/ReferenceSum.h"
 #include "sums/SolidAngle.h"
 #include "support/NaiveDistance.h"
+#include "support/Serial.h"
 #include "support/Shuffled.h"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ namespace
 
 using namespace winding;
 using shapes::Point;
+using shapes::serial;
 
 /// Options for a cloud of this size, with which areas are in proportion.
 FieldOptions randomOptions(Choices& choices, double size)
@@ -159,7 +161,6 @@ std::string checkCloudField(Choices& choices)
     random.cloud.normals.clear();
   }
   options.method = Method::direct;
-  SerialExecutor serial;
   std::shared_ptr<const Field> direct;
   try
   {

@@ -9,6 +9,7 @@
 #include "source/CoordinateOrder.h"
 #include "source/SnappedPoints.h"
 #include "sums/ReferenceSum.h"
+#include "support/Serial.h"
 #include "surface/Boundary.h"
 #include "surface/CompletedSurface.h"
 
@@ -32,6 +33,7 @@ namespace
 
 using namespace winding;
 using shapes::Mesh;
+using shapes::serial;
 
 /// A plane across an axis, mostly through a vertex, or any plane.
 std::string randomPlane(Choices& choices, const Surface& surface)
@@ -204,7 +206,6 @@ std::string checkWeld(Choices& choices, const Surface& surface, Executor& serial
 std::string checkCompletion(Choices& choices)
 {
   const Mesh mesh = choices.oneIn(3) ? randomSolid(choices) : randomMesh(choices, 30);
-  SerialExecutor serial;
   BackwardExecutor backward;
   Surface surface;
   try

@@ -6,6 +6,7 @@
 
 #include "base/Refusal.h"
 #include "support/NaiveDistance.h"
+#include "support/Serial.h"
 #include "voxels/CoverageFractions.h"
 #include "voxels/TouchedVoxels.h"
 #include "voxels/VoxelOverlap.h"
@@ -28,6 +29,7 @@ namespace
 using namespace winding;
 using shapes::Mesh;
 using shapes::Point;
+using shapes::serial;
 
 std::vector<unsigned char> touchedIn(
   const Surface& surface, const Grid& grid, const Extent& extent, Executor& executor)
@@ -150,7 +152,6 @@ std::string checkCoverage(Choices& choices)
   FieldOptions options;
   const Method methods[] = {Method::automatic, Method::rows, Method::direct, Method::hierarchical};
   options.method = choices.oneOf(methods);
-  SerialExecutor serial;
   std::shared_ptr<const Field> field;
   try
   {

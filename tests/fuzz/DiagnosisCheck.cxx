@@ -9,10 +9,10 @@
 #include "rays/SampleLines.h"
 #include "sums/ReferenceSum.h"
 #include "support/DiagnosisTime.h"
+#include "support/Serial.h"
 #include "support/Shuffled.h"
 #include "surface/Boundary.h"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -31,10 +31,10 @@ namespace
 using namespace winding;
 using shapes::Mesh;
 using shapes::Point;
+using shapes::serial;
 
 std::string faultsOf(const Mesh& mesh)
 {
-  SerialExecutor serial;
   std::string faults;
   for (const Message& message :
     Field::build(viewsOf(mesh), FieldOptions(), serial)->diagnosis().ofSource(serial))
@@ -47,7 +47,6 @@ std::string faultsOf(const Mesh& mesh)
 /// Compares what lines through points tell with the definition.
 std::string checkLines(const Surface& surface)
 {
-  SerialExecutor serial;
   constexpr std::size_t points = 8;
   const SurfaceSamples samples = sampleSurface(surface, points, serial);
   const std::vector<SampleLine> lines = linesThrough(surface, samples.points, samples, serial);

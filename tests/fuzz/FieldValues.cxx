@@ -3,6 +3,7 @@
 #include "FieldValues.h"
 
 #include "RandomSources.h"
+#include "support/Serial.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@ namespace
 {
 
 using shapes::Point;
+using shapes::serial;
 
 template <class Evaluate>
 FieldValues evaluated(std::size_t samples, bool withDistances, const Evaluate& evaluate)
@@ -195,7 +197,6 @@ std::string checkShuffled(const winding::Field& shuffled, const winding::Grid& g
 std::string checkGradients(const winding::Field& field, const std::vector<Point>& samples)
 {
   std::vector<Point> gradients(samples.size());
-  winding::SerialExecutor serial;
   field.gradient(viewOf(samples), samples.empty() ? nullptr : gradients[0].data(), serial);
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
@@ -214,7 +215,6 @@ std::string checkGradients(const winding::Field& field, const std::vector<Point>
 std::string checkNonFinite(const winding::Field& field)
 {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  winding::SerialExecutor serial;
   const std::vector<Point> samples = {Point(0, inf, 0), Point(std::nan(""), 0, 0), Point(0, 0, 0)};
   const FieldValues found = valuesOf(field, samples, false, serial);
   std::vector<Point> gradients(samples.size());

@@ -3,6 +3,7 @@
 #include "Checks.h"
 #include "FieldValues.h"
 #include "RandomSources.h"
+#include "support/Serial.h"
 
 #include "voxels/CellFractions.h"
 
@@ -26,6 +27,7 @@ namespace
 
 using namespace winding;
 using shapes::Point;
+using shapes::serial;
 
 constexpr int tetrahedron = 10, hexahedron = 12;
 
@@ -102,7 +104,6 @@ std::pair<double, int> sampledShare(
   output.inside = inside.data();
   output.rule = rule;
   output.threshold = threshold;
-  SerialExecutor serial;
   field.evaluate(VectorsView(samples[0].data(), samples.size()), output, serial);
   return {static_cast<double>(std::count(inside.begin(), inside.end(), 1)) / count, count};
 }
@@ -135,7 +136,6 @@ std::string checkFractions(Choices& choices)
     cells.add(tetrahedron, {corners[0], corners[static_cast<std::size_t>(a)],
                              corners[static_cast<std::size_t>(b)], corners[6]});
   }
-  SerialExecutor serial;
   BackwardExecutor backward;
   std::vector<float> fractions(cells.size()), again(cells.size());
   const CellsWithoutFraction counts =

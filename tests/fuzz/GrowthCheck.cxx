@@ -5,6 +5,7 @@
 #include "RandomSources.h"
 
 #include "report/SurfaceReport.h"
+#include "support/Serial.h"
 #include "support/ThreadSeconds.h"
 #include "surface/Orientation.h"
 #include "voxels/CellFractions.h"
@@ -29,6 +30,7 @@ namespace
 using namespace winding;
 using shapes::Mesh;
 using shapes::Point;
+using shapes::serial;
 
 constexpr double turn = 6.283185307179586;
 constexpr int attempts = 2;
@@ -123,14 +125,12 @@ Mesh nestedBoxes(Choices& choices, int triangles)
 
 void report(const Mesh& mesh)
 {
-  SerialExecutor serial;
   const Surface surface = shapes::clean(mesh);
   reportOn(surface, edgesOf(surface, serial), serial);
 }
 
 void orientFaces(const Mesh& mesh)
 {
-  SerialExecutor serial;
   const Surface surface = shapes::clean(mesh);
   orient(surface, {}, serial);
 }
@@ -161,7 +161,6 @@ private:
 
 void fractionsIn(const Mesh& mesh, double size)
 {
-  SerialExecutor serial;
   const auto field = Field::build(viewsOf(mesh), FieldOptions(), serial);
   float fraction = 0;
   evaluateFractions(*field, OneCell(size), InsideRule::signedThreshold, 0.5, &fraction, serial);
@@ -211,7 +210,6 @@ std::string checkSlice(Choices& choices)
 {
   const Mesh mesh = bowl(500 + choices.below(4000));
   FieldOptions options;
-  SerialExecutor serial;
   const auto field = Field::build(viewsOf(mesh), options, serial);
   const bool isGrid = choices.oneIn(2);
   std::vector<Point> points;

@@ -3,6 +3,7 @@
 #include "Checks.h"
 
 #include "support/Dual.h"
+#include "support/Serial.h"
 
 #include <sstream>
 
@@ -17,8 +18,7 @@ std::string checkLattice(Choices& choices)
   for (int n = 0; n < solids; ++n)
   {
     const shapes::LatticeCase lattice(random);
-    winding::SerialExecutor serial;
-    const shapes::Dual dual(lattice.field, lattice.grid, serial);
+    const shapes::Dual dual(lattice.field, lattice.grid, shapes::serial);
     for (const std::uint64_t cuts : {std::uint64_t(0), random.bits() | 1})
     {
       const shapes::ManifoldFaults faults = shapes::manifoldFaults(dual.polygons(cuts));

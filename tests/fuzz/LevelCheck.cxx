@@ -8,6 +8,7 @@
 #include "level/CombinedRoots.h"
 #include "level/LevelRoots.h"
 #include "level/ShapedSolid.h"
+#include "support/Serial.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,7 @@ namespace
 {
 
 using namespace winding;
+using shapes::serial;
 
 /// Rounds after which a search for roots does not end.
 constexpr int mostRounds = 100;
@@ -104,7 +106,6 @@ std::string checkLevel(Choices& choices)
   const InsideRule rule = randomRule(choices);
   const double threshold = randomThreshold(choices);
   const bool border = choices.oneIn(2);
-  SerialExecutor serial;
   BackwardExecutor backward;
 
   LevelEdges edges(*field, grid, rule, threshold, border);
@@ -220,7 +221,6 @@ bool lieBetween(
 std::string checkBoolean(Choices& choices)
 {
   const bool border = choices.oneIn(2);
-  SerialExecutor serial;
   BackwardExecutor backward;
   Grid grid;
   std::vector<std::unique_ptr<Operand>> operands;
@@ -332,7 +332,6 @@ std::string checkShape(Choices& choices)
   }
   const Grid grid = randomGrid(choices, field->info().bounds);
   const bool border = choices.oneIn(2), isSharp = choices.oneIn(2);
-  SerialExecutor serial;
   BackwardExecutor backward;
   const Operand solid(std::move(field), grid, choices, border, serial);
   const SolidShape shape = randomShape(choices, grid.spacing.maxCoeff());

@@ -5,7 +5,8 @@
 #include "RandomSources.h"
 
 #include "base/Refusal.h"
-#include "winding.h"
+#include "c/Calls.h"
+#include "support/Serial.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,15 +26,10 @@ namespace fuzz
 namespace
 {
 
+using calls::with;
 using shapes::Mesh;
 using shapes::Point;
-
-template <class Struct> Struct with(void (*init)(Struct*, size_t))
-{
-  Struct result;
-  init(&result, sizeof result);
-  return result;
-}
+using shapes::serial;
 
 /// Rows of numbers in any type, with any stride.
 class RandomRows
@@ -147,7 +143,6 @@ void spoil(Choices& choices, winding_array& array, winding_options& options)
 /// Compares values at samples with the core's.
 std::string compareWithCore(Choices& choices, const Mesh& mesh, winding_field* field)
 {
-  winding::SerialExecutor serial;
   const auto expected = winding::Field::build(viewsOf(mesh), {}, serial);
   if (expected->info().primitives == 0)
   {

@@ -7,6 +7,7 @@
 #include "field/InputPlaces.h"
 #include "source/Sanitize.h"
 #include "support/NaiveDistance.h"
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ namespace
 using namespace winding;
 using shapes::Mesh;
 using shapes::Point;
+using shapes::serial;
 
 std::vector<InputPlace> placesOf(
   const InputPlaces& input, const std::vector<Point>& samples, Executor& executor)
@@ -114,7 +116,6 @@ std::string checkMesh(Choices& choices)
     return "";
   }
   const Bounds bounds = boundsOf(views);
-  SerialExecutor serial;
   const InputPlaces input(views, "", serial);
   const std::vector<Point> samples = randomSamples(choices, mesh.points, 30);
   const std::vector<InputPlace> places = placesOf(input, samples, serial);
@@ -139,7 +140,6 @@ std::string checkCloud(Choices& choices)
   const RandomCloud cloud = randomCloud(choices, 60);
   const std::vector<OrientedPointsView> views = viewsOf(cloud);
   const Bounds bounds = boundsOf(views);
-  SerialExecutor serial;
   const InputPlaces input(views, "", serial);
   const std::vector<Point> samples = randomSamples(choices, cloud.cloud.positions, 30);
   const std::vector<InputPlace> places = placesOf(input, samples, serial);

@@ -8,6 +8,7 @@
 #include "report/SurfaceReport.h"
 #include "source/CoordinateOrder.h"
 #include "source/Sanitize.h"
+#include "support/Serial.h"
 #include "surface/CanonicalOrder.h"
 #include "surface/Orientation.h"
 #include "surface/RepeatedFaces.h"
@@ -28,6 +29,7 @@ namespace
 
 using namespace winding;
 using shapes::Mesh;
+using shapes::serial;
 
 Surface turned(Surface surface, const std::vector<char>& isTurned)
 {
@@ -90,7 +92,6 @@ std::string checkOrder(const Surface& surface, const Orientation& found, Choices
   {
     ordered.triangles[i] = surface.triangles[numbers[i]];
   }
-  SerialExecutor serial;
   const Orientation again = orient(ordered, {}, serial);
   Surface expected = surface, result = ordered;
   apply(found, expected);
@@ -127,7 +128,6 @@ std::string checkAny(Choices& choices)
   {
     parts.push_back(i > 0 && choices.oneIn(3));
   }
-  SerialExecutor serial;
   BackwardExecutor backward;
   const SurfaceEdges edges = edgesOf(surface, serial);
   const Orientation found = orient(surface, parts, serial);
@@ -175,7 +175,6 @@ std::string checkAny(Choices& choices)
 std::string checkSolid(Choices& choices)
 {
   const Surface solid = shapes::clean(randomSolid(choices));
-  SerialExecutor serial;
   if (!edgesOf(solid, serial).crowds.empty())
   {
     return {};
@@ -225,7 +224,6 @@ std::string checkHoles(Choices& choices)
     return {};
   }
   const Surface surface = shapes::clean(mesh);
-  SerialExecutor serial;
   const Orientation found = orient(surface, {}, serial);
   const bool isAnyLeftOut =
     std::find(found.isLeftOut.begin(), found.isLeftOut.end(), char(1)) != found.isLeftOut.end();

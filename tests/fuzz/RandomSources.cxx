@@ -3,6 +3,7 @@
 #include "RandomSources.h"
 
 #include "base/Refusal.h"
+#include "support/Serial.h"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,7 @@ namespace
 
 using shapes::Mesh;
 using shapes::Point;
+using shapes::serial;
 
 using Ids = std::array<std::int32_t, 3>;
 
@@ -237,7 +239,7 @@ Mesh randomMesh(Choices& choices, int mostTriangles)
   }
   if (choices.oneIn(8))
   {
-    mesh = mesh.with(mesh.mapped([](const Point& p) -> Point { return 0.5 * p; }));
+    mesh = mesh.with(mesh.scaled(0.5));
   }
   transform(choices, mesh.points);
   if (choices.oneIn(3))
@@ -260,10 +262,10 @@ Mesh randomSolid(Choices& choices)
                 : shapes::surfaceOf(shapes::randomCells(1 + choices.below(3), seed));
   if (choices.oneIn(3))
   {
-    mesh = mesh.with(mesh.mapped([](const Point& p) -> Point { return p + Point(5, 6, 7); }));
+    mesh = mesh.with(mesh.moved({5, 6, 7}));
   }
   const double scale = randomScale(choices);
-  return mesh.mapped([scale](const Point& p) -> Point { return scale * p; });
+  return mesh.scaled(scale);
 }
 
 winding::OrientedPointsView RandomCloud::view() const
@@ -419,7 +421,6 @@ std::shared_ptr<const winding::Field> randomField(Choices& choices)
     Method::automatic, Method::rows, Method::direct, Method::hierarchical, Method::parity};
   options.method = choices.oneOf(methods);
   options.tolerance = randomTolerance(choices);
-  SerialExecutor serial;
   try
   {
     if (choices.oneIn(4))

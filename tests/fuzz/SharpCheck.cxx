@@ -9,6 +9,7 @@
 #include "level/SharpVertices.h"
 #include "report/SelfIntersections.h"
 #include "support/Manifold.h"
+#include "support/Serial.h"
 
 #include <algorithm>
 #include <memory>
@@ -26,6 +27,7 @@ namespace
 {
 
 using namespace winding;
+using shapes::serial;
 
 /// Rounds after which a search for roots does not end.
 constexpr int mostRounds = 100;
@@ -147,7 +149,6 @@ std::string checkSharp(Choices& choices)
   const Grid grid = randomGrid(choices, field->info().bounds);
   const InsideRule rule = randomRule(choices);
   const double threshold = randomThreshold(choices);
-  SerialExecutor serial;
   BackwardExecutor backward;
   const Sharp sharp(*field, grid, rule, threshold, serial);
   const Sharp again(*field, grid, rule, threshold, backward);

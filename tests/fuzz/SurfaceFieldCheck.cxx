@@ -9,6 +9,7 @@
 #include "source/Sanitize.h"
 #include "sums/ReferenceSum.h"
 #include "support/NaiveDistance.h"
+#include "support/Serial.h"
 #include "support/Shuffled.h"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ namespace
 using namespace winding;
 using shapes::Mesh;
 using shapes::Point;
+using shapes::serial;
 
 /// Samples nearer to a triangle, in sizes of coordinates, may be on either side of it.
 constexpr double onSurface = 0x1p-42;
@@ -59,7 +61,6 @@ std::shared_ptr<const Field> build(
   options.method = method;
   options.tolerance = tolerance;
   options.scattered = scattered;
-  SerialExecutor serial;
   return Field::build(viewsOf(mesh), options, serial);
 }
 
@@ -207,7 +208,6 @@ std::string checkScattered(const Mesh& mesh, const Samples& scattered, double to
     try
     {
       const auto field = build(mesh, method, tolerance, true);
-      SerialExecutor serial;
       const FieldValues found = valuesOf(*field, scattered.positions, false, serial);
       std::string failure = compareWithDefinition(
         *field, *field->surface(), scattered, found.values, tolerance, " for scattered samples");
@@ -260,7 +260,6 @@ std::string checkSurfaceField(Choices& choices)
   scattered.positions = randomSamples(choices, surface.vertices, 1 + choices.below(24));
   measure(surface, onGrid);
   measure(surface, scattered);
-  SerialExecutor serial;
   const FoundValues found = {valuesOf(*field, grid, grid.wholeExtent(), true, serial),
     valuesOf(*field, scattered.positions, true, serial)};
   std::string failure = checkMethod(choices, *field, grid, onGrid, scattered, tolerance, found);

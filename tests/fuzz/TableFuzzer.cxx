@@ -7,8 +7,8 @@
 
 #include "base/Executor.h"
 #include "support/KeptTexts.h"
+#include "support/Serial.h"
 
-#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -16,6 +16,7 @@
 namespace
 {
 
+using shapes::serial;
 using winding::PlainArray;
 using winding::PointTable;
 
@@ -29,7 +30,6 @@ struct Read
 
 Read read(const winding::InputFile& file, winding::TableOptions options)
 {
-  winding::SerialExecutor serial;
   Read result;
   options.texts = &result.texts;
   try

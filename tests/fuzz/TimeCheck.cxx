@@ -5,6 +5,7 @@
 #include "RandomSources.h"
 
 #include "base/Refusal.h"
+#include "support/Serial.h"
 #include "support/ThreadSeconds.h"
 
 #include <algorithm>
@@ -27,6 +28,7 @@ namespace
 using namespace winding;
 using shapes::Mesh;
 using shapes::Point;
+using shapes::serial;
 
 constexpr int attempts = 5;
 
@@ -34,7 +36,6 @@ constexpr int attempts = 5;
 double secondsOf(const Mesh& mesh, const FieldOptions& options, const Grid& grid,
   const std::vector<Point>& samples)
 {
-  SerialExecutor serial;
   const double start = shapes::threadSeconds();
   const auto field = Field::build(viewsOf(mesh), options, serial);
   samples.empty() ? valuesOf(*field, grid, grid.wholeExtent(), false, serial)
@@ -73,7 +74,6 @@ std::string compareTimes(const Timed& timed)
   options.scattered = !timed.samples.empty();
   FieldOptions direct = options;
   direct.method = Method::direct;
-  SerialExecutor serial;
   Bounds bounds;
   try
   {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "support/Grids.h"
+#include "support/Serial.h"
 #include "support/ThreadSeconds.h"
 
 #include "base/FieldOutput.h"
@@ -28,17 +30,12 @@ struct DiagnosisTime
 };
 
 /// Times an answer and its diagnosis once.
-inline DiagnosisTime diagnosisTime(
-  const std::vector<winding::TrianglesView>& views, int resolution)
+inline DiagnosisTime diagnosisTime(const std::vector<winding::TrianglesView>& views, int resolution)
 {
   DiagnosisTime time;
-  winding::SerialExecutor serial;
   const double start = threadSeconds();
   const auto field = winding::Field::build(views, winding::FieldOptions(), serial);
-  winding::GridRequest request;
-  request.bounds = field->info().bounds;
-  request.resolution = resolution;
-  const winding::Grid grid = setUpGrid(request);
+  const winding::Grid grid = gridAround(field->info().bounds, resolution);
   const winding::Extent extent = grid.wholeExtent();
   std::vector<float> values(winding::sampleCount(extent));
   winding::SideTally sides;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "source/Surface.h"
+#include "support/Serial.h"
 #include "surface/SurfaceEdges.h"
 
 namespace shapes
@@ -10,7 +11,6 @@ namespace shapes
 
 inline winding::SurfaceEdges edgesOf(const winding::Surface& surface)
 {
-  winding::SerialExecutor serial;
   return winding::edgesOf(surface, serial);
 }
 

@@ -12,13 +12,14 @@
 #include "source/Sanitize.h"
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
+#include "support/Grids.h"
 #include "support/RowValues.h"
+#include "support/Serial.h"
 #include "surface/BoundaryGradient.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <string>
 #include <utility>
 
 /**
@@ -90,7 +91,6 @@ public:
   using FarSource::sources;
   std::unique_ptr<winding::FarFieldSources> sources(const winding::Bounds&, double) const override
   {
-    winding::SerialExecutor serial;
     return winding::farFieldSources(cloud_, areas_, serial);
   }
 
@@ -166,7 +166,6 @@ public:
       rule.region = region;
       rule.longestSide = 8 * spacing;
     }
-    winding::SerialExecutor serial;
     return winding::farFieldSources(
       surface_.vertices, surface_.triangles, surface_.bounds, rule, serial);
   }
@@ -234,6 +233,11 @@ inline std::unique_ptr<FarSource> farSource(const Cloud& cloud, double radius = 
     cloud, std::vector<double>(cloud.positions.size(), 4 * winding::pi * radius * radius / count));
 }
 
+inline winding::FarField fieldOf(const FarSource& source, double tolerance = 1e-3)
+{
+  return {source.sources(), winding::FarFieldAccuracy::of(tolerance), serial};
+}
+
 inline Cloud mapped(Cloud cloud, const std::function<Point(const Point&)>& map)
 {
   std::transform(cloud.positions.begin(), cloud.positions.end(), cloud.positions.begin(), map);
@@ -284,17 +288,6 @@ inline Cloud sphereWithBall(std::size_t ball, unsigned seed)
   return with(mapped(randomCloud(ball, seed), shrunk), sphereCloud(5000));
 }
 
-/// A grid around bounds, which must have an extent, with a tenth of their longest side as margin on
-/// every side.
-inline winding::Grid gridAround(const winding::Bounds& bounds, const Eigen::Vector3i& dimensions)
-{
-  winding::GridRequest request;
-  request.bounds = bounds;
-  request.padding = 0.1;
-  request.dimensions = dimensions;
-  return winding::setUpGrid(request);
-}
-
 inline winding::Bounds boundsOf(const winding::Grid& grid)
 {
   return {grid.firstSample,
@@ -313,7 +306,6 @@ inline std::vector<float> valuesOn(const winding::FarField& field, const winding
 
 inline std::vector<float> valuesOn(const winding::FarField& field, const winding::Grid& grid)
 {
-  winding::SerialExecutor serial;
   return valuesOn(field, grid, grid.wholeExtent(), serial);
 }
 
@@ -331,7 +323,6 @@ inline std::vector<float> valuesAt(
 inline std::vector<float> valuesAt(
   const winding::FarField& field, const std::vector<Point>& samples)
 {
-  winding::SerialExecutor serial;
   return valuesAt(field, samples, serial);
 }
 
@@ -347,7 +338,6 @@ inline std::vector<Point> gradientsAt(
 inline std::vector<Point> gradientsAt(
   const winding::FarField& field, const std::vector<Point>& samples)
 {
-  winding::SerialExecutor serial;
   return gradientsAt(field, samples, serial);
 }
 

@@ -3,7 +3,10 @@
 #pragma once
 
 #include "field/Field.h"
+#include "support/Fields.h"
+#include "support/Grids.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include "base/Executor.h"
@@ -25,18 +28,6 @@ namespace shapes
 {
 
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
-
-inline std::shared_ptr<const winding::Field> fieldOf(const Mesh& mesh)
-{
-  winding::SerialExecutor serial;
-  return winding::Field::build(std::vector<winding::TrianglesView>{mesh.view()}, {}, serial);
-}
-
-inline std::shared_ptr<const winding::Field> fieldOf(const Cloud& cloud)
-{
-  winding::SerialExecutor serial;
-  return winding::Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, {}, serial);
-}
 
 struct Distances
 {
@@ -76,21 +67,10 @@ inline Distances evaluate(const winding::Field& field, const winding::Grid& grid
 inline Distances evaluate(
   const winding::Field& field, const std::vector<Point>& samples, double limit = infinite)
 {
-  winding::SerialExecutor serial;
   Distances result(samples.size());
   const winding::VectorsView view(samples.empty() ? nullptr : samples[0].data(), samples.size());
   field.evaluate(view, result.output(limit), serial);
   return result;
-}
-
-inline std::vector<Point> samplesOf(const winding::Grid& grid)
-{
-  std::vector<Point> samples(winding::sampleCount(grid.wholeExtent()));
-  for (std::size_t n = 0; n < samples.size(); ++n)
-  {
-    samples[n] = grid.sample(n);
-  }
-  return samples;
 }
 
 } // namespace shapes

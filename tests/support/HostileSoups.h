@@ -3,6 +3,7 @@
 #pragma once
 
 #include "source/Grid.h"
+#include "support/Grids.h"
 #include "support/Shapes.h"
 
 #include <cmath>
@@ -115,15 +116,6 @@ inline Mesh sheetsOf(std::size_t count, double height, unsigned seed)
     mesh.triangles.push_back({first, first + 2, first + 3});
   }
   return mesh;
-}
-
-/// A grid around bounds, with cubic voxels.
-inline winding::Grid gridAround(const winding::Bounds& bounds, int resolution)
-{
-  winding::GridRequest request;
-  request.bounds = bounds;
-  request.resolution = resolution;
-  return winding::setUpGrid(request);
 }
 
 inline std::vector<std::pair<std::string, Mesh>> hostileSoups(std::size_t count)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Executor.h"
+#include "support/Serial.h"
 
 namespace shapes
 {
@@ -21,7 +22,6 @@ public:
   void run(std::size_t count, const std::function<void(std::size_t)>& work) override
   {
     cameToPass_ = cameToPass_ || runs_-- == 0;
-    winding::SerialExecutor serial;
     serial.run(cameToPass_ ? std::min(count, blocks_) : count, work);
     if (cameToPass_)
     {

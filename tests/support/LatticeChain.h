@@ -9,6 +9,7 @@
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 
 #include <algorithm>
 #include <cmath>
@@ -158,7 +159,6 @@ inline LatticeChain randomLatticeChain(unsigned seed, int mostTriangles, int lar
   }
   const winding::TrianglesView view{
     {points[0].data(), points.size()}, {ids.data(), ids.size() / 3}};
-  winding::SerialExecutor serial;
   chain.surface = winding::sanitize(std::vector<winding::TrianglesView>{view}, serial);
   return chain;
 }
@@ -180,7 +180,6 @@ struct ChainComparison
 inline ChainComparison compareWithDirectSum(const LatticeChain& chain, double fieldTolerance = 0)
 {
   using namespace winding;
-  winding::SerialExecutor serial;
   const BoundaryChain boundary = boundaryChain(chain.surface, serial);
   const CappedSurface capped(
     chain.surface, boundary, fieldTolerance, serial, CappedSurface::CapSum::farField);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "base/Executor.h"
 #include "source/DistinctPoints.h"
 #include "source/UnitScale.h"
+#include "support/Serial.h"
 
 #include <vector>
 
@@ -14,7 +14,6 @@ namespace shapes
 /// Finds the distinct points among positions.
 inline winding::DistinctPoints placesOf(const std::vector<Eigen::Vector3d>& positions)
 {
-  winding::SerialExecutor serial;
   return {positions, winding::unitScaleOf(positions), serial};
 }
 

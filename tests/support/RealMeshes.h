@@ -38,4 +38,10 @@ inline std::vector<const char*> present(std::initializer_list<const char*> names
   return present(names, [](const char* name) { return name; });
 }
 
+/// Returns the name of a file as names of tests may have it.
+inline std::string testNameOf(std::string file)
+{
+  return file.replace(file.rfind('.'), 1, "_");
+}
+
 } // namespace shapes

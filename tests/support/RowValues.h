@@ -6,6 +6,7 @@
 #include "rays/RowCrossings.h"
 #include "source/Surface.h"
 #include "support/LatticeChain.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 #include "surface/Cap.h"
@@ -75,7 +76,6 @@ public:
 private:
   static winding::TriangleList capOf(const winding::Surface& surface)
   {
-    winding::SerialExecutor serial;
     return winding::capOf(
       winding::boundaryLoops(boundaryOf(surface).edges, surface.vertices.size(), serial));
   }

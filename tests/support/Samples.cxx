@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/Samples.h"
 #include "base/Pi.h"
+#include "support/Serial.h"
 
-#include "base/Executor.h"
 #include "source/Sanitize.h"
 
 #include <gtest/gtest.h>
@@ -97,7 +97,6 @@ Cloud randomCloud(std::size_t count, unsigned seed)
 
 winding::PointCloud clean(const Cloud& cloud)
 {
-  winding::SerialExecutor serial;
   return winding::sanitize(std::vector<winding::OrientedPointsView>{cloud.view()}, serial);
 }
 
@@ -143,6 +142,38 @@ std::vector<Point> gradientsOf(
   };
   forEachBlock(samples, evaluate);
   return gradients;
+}
+
+winding::Bounds boundsOf(const std::vector<Point>& points)
+{
+  winding::Bounds bounds;
+  for (const Point& point : points)
+  {
+    bounds.extend(point);
+  }
+  return bounds;
+}
+
+double largestDifference(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    // The comparison is written so that NaN counts.
+    largest = std::abs(a[i] - b[i]) <= largest ? largest : std::abs(a[i] - b[i]);
+  }
+  return largest;
+}
+
+double rightShare(
+  const std::vector<Point>& normals, const std::vector<Point>& expected, double cosine)
+{
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    right += normals[i].dot(expected[i]) > cosine;
+  }
+  return static_cast<double>(right) / static_cast<double>(normals.size());
 }
 
 void record(const std::string& name, double value)

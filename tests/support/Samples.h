@@ -71,6 +71,15 @@ std::vector<double> valuesOf(
 std::vector<Point> gradientsOf(
   const winding::GradientEvaluator& evaluator, const std::vector<Point>& samples);
 
+winding::Bounds boundsOf(const std::vector<Point>& points);
+
+/// Returns the largest difference of two numbers at one place; NaN counts as a difference.
+double largestDifference(const std::vector<double>& a, const std::vector<double>& b);
+
+/// Returns the share of unit normals whose cosines to `expected` are more than `cosine`.
+double rightShare(
+  const std::vector<Point>& normals, const std::vector<Point>& expected, double cosine = 0);
+
 /// Puts a measured number into the running test's report (--gtest_output=xml shows it).
 void record(const std::string& name, double value);
 

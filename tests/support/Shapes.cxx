@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/Shapes.h"
 #include "base/Pi.h"
+#include "support/Serial.h"
 
 #include "source/Sanitize.h"
 
@@ -67,6 +68,16 @@ Mesh Mesh::mapped(const std::function<Point(const Point&)>& map) const
   return result;
 }
 
+Mesh Mesh::moved(const Point& by) const
+{
+  return this->mapped([&by](const Point& p) -> Point { return p + by; });
+}
+
+Mesh Mesh::scaled(double factor) const
+{
+  return this->mapped([factor](const Point& p) -> Point { return factor * p; });
+}
+
 Mesh Mesh::with(const Mesh& other) const
 {
   Mesh result = *this;
@@ -92,7 +103,6 @@ Mesh Mesh::part(std::size_t first, std::size_t last) const
 
 winding::Surface clean(const Mesh& mesh)
 {
-  winding::SerialExecutor serial;
   return winding::sanitize(std::vector<winding::TrianglesView>{mesh.view()}, serial);
 }
 
@@ -110,7 +120,6 @@ winding::Surface cleanScaled(const Mesh& mesh, double factor)
 
 winding::BoundaryChain boundaryOf(const winding::Surface& surface)
 {
-  winding::SerialExecutor serial;
   return winding::boundaryChain(surface, serial);
 }
 
@@ -180,6 +189,11 @@ Mesh icosphere(int levels)
   return mesh.mapped([](const Point& p) -> Point { return p.normalized(); });
 }
 
+Mesh ball(const Point& center, double radius, int levels)
+{
+  return icosphere(levels).mapped([&](const Point& p) -> Point { return center + radius * p; });
+}
+
 Mesh torus(int along, int around)
 {
   const auto at = [&](int i, int j) -> Point
@@ -237,6 +251,18 @@ Mesh moebiusStrip(int quads)
     const std::int32_t a = 2 * i, b = a + 1, c = last ? 0 : a + 3, d = last ? 1 : a + 2;
     mesh.triangles.push_back({a, b, c});
     mesh.triangles.push_back({a, c, d});
+  }
+  return mesh;
+}
+
+Mesh book(std::int32_t pages, bool byTurns)
+{
+  Mesh mesh{{{0, 0, 0}, {0, 0, 1}}, {}};
+  for (std::int32_t i = 0; i < pages; ++i)
+  {
+    mesh.points.push_back({std::cos(i), std::sin(i), 0.5});
+    const bool back = byTurns && i % 2 == 1;
+    mesh.triangles.push_back({back ? 1 : 0, back ? 0 : 1, i + 2});
   }
   return mesh;
 }

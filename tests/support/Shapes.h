@@ -29,6 +29,8 @@ struct Mesh
   /// Every triangle (a, b, c) becomes (a, c, b).
   Mesh reversed() const;
   Mesh mapped(const std::function<Point(const Point&)>& map) const;
+  Mesh moved(const Point& by) const;
+  Mesh scaled(double factor) const;
   /// Both meshes in one, without shared points.
   Mesh with(const Mesh& other) const;
   /// The mesh with only the triangles first … last − 1.
@@ -52,6 +54,7 @@ Mesh openCube();
 Mesh cubeWithSlit(double width);
 /// A sphere of radius 1 with 20 · 4^levels triangles.
 Mesh icosphere(int levels);
+Mesh ball(const Point& center, double radius, int levels = 2);
 /// A torus of radii 1 and 0.4 around the z axis.
 Mesh torus(int along, int around);
 /// A surface of revolution around z through circles of {radius, height}, open at its ends unless
@@ -59,6 +62,8 @@ Mesh torus(int along, int around);
 Mesh lathe(const std::vector<std::array<double, 2>>& profile, int corners);
 /// A band of `quads` quadrilaterals that closes with a half twist.
 Mesh moebiusStrip(int quads);
+/// Triangles on one edge; every other one runs back along it if `byTurns`.
+Mesh book(std::int32_t pages, bool byTurns = false);
 /// Triangles without any relation, of all sizes from about 2^−8 to 1, within [−2, 2]³.
 Mesh triangleSoup(std::size_t count, unsigned seed);
 

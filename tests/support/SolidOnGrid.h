@@ -39,9 +39,4 @@ struct SolidOnGrid
   winding::EdgeRoots roots;
 };
 
-inline Mesh moved(const Mesh& mesh, const Point& by)
-{
-  return mesh.mapped([&by](const Point& point) -> Point { return point + by; });
-}
-
 } // namespace shapes

@@ -3,6 +3,7 @@
 #include "vtk/Backends.h"
 #include "vtk/ErrorLog.h"
 #include "vtk/SphereCloud.h"
+#include "vtk/Spheres.h"
 #include "vtk/SurfaceMeasures.h"
 
 #include "vtkCellArray.h"
@@ -20,7 +21,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
-#include "vtkSphereSource.h"
 #include "vtkStringArray.h"
 #include "vtkTriangleFilter.h"
 #include "vtkWindingNumberBoolean.h"
@@ -52,14 +52,7 @@ vtkSmartPointer<vtkPolyData> boxOf(double x0, double x1, double y0, double y1, d
 
 vtkSmartPointer<vtkPolyData> sphereAt(double x, double radius = 1, double endPhi = 180)
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(x, 0, 0);
-  sphere->SetRadius(radius);
-  sphere->SetThetaResolution(80);
-  sphere->SetPhiResolution(60);
-  sphere->SetEndPhi(endPhi);
-  sphere->Update();
-  return sphere->GetOutput();
+  return sphereOf(80, 60, radius, {x, 0, 0}, endPhi);
 }
 
 class Boolean : public testing::Test
@@ -291,17 +284,14 @@ TEST_F(Boolean, TakesTheGridOfWhatDoesNotReachBeyondItsSource)
 TEST_F(Boolean, TimesAllOperands)
 {
   // The first one takes longer to prepare, and to evaluate.
-  vtkNew<vtkSphereSource> large;
-  large->SetThetaResolution(500);
-  large->SetPhiResolution(400);
-  large->Update();
+  const auto large = sphereOf(500, 400);
   const auto small = boxOf(0, 0.1, 0, 0.1, 0, 0.1);
   double asSecond = 1e300, asFirst = 1e300; // the least, for other programs may be in the way
   for (int run = 0; run < 3; ++run)
   {
-    this->made(small, large->GetOutput(), Filter::UNION);
+    this->made(small, large, Filter::UNION);
     asSecond = std::min(asSecond, filter->GetPrepareSeconds());
-    this->made(large->GetOutput(), small, Filter::UNION);
+    this->made(large, small, Filter::UNION);
     asFirst = std::min(asFirst, filter->GetPrepareSeconds());
   }
   EXPECT_GT(asSecond, 0);

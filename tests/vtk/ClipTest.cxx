@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/Executor.h"
 #include "base/Views.h"
 #include "field/Field.h"
 #include "private/probe/ClippedPart.h"
 #include "private/probe/CutDistances.h"
 #include "private/probe/ProbeQueries.h"
 #include "private/probe/ProbeWords.h"
+#include "support/Serial.h"
 #include "vtk/ErrorLog.h"
 #include "vtk/ProgressLog.h"
 #include "vtk/SphereCloud.h"
@@ -45,6 +45,8 @@
 
 namespace
 {
+
+using shapes::serial;
 
 const double pi = std::acos(-1.0);
 
@@ -473,7 +475,6 @@ TEST_F(Clip, NumbersTellTheSideOfPointsOnTheSourceToo)
   // Points of the image lie on the vertices, edges and faces of a tetrahedron, at distance 0.
   const double corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   const std::int32_t ids[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-  winding::SerialExecutor serial;
   const auto field = winding::Field::build(
     std::vector<winding::TrianglesView>{{winding::VectorsView(corners, 4), {ids, 4}}}, {}, serial);
   const vtkSmartPointer<vtkImageData> image = imageOf(7, 1.5);

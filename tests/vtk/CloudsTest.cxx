@@ -4,6 +4,7 @@
 #include "vtk/HowTo.h"
 #include "vtk/PointProbe.h"
 #include "vtk/SphereCloud.h"
+#include "vtk/Spheres.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -12,7 +13,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSphereSource.h"
 #include "vtkStringArray.h"
 #include "vtkWindingNumberProbe.h"
 
@@ -114,21 +114,17 @@ TEST_F(Clouds, ThatEncloseNothingAreSaidToBeSo)
 
 TEST_F(Clouds, EachKindOfAreasGivesAPlateau)
 {
-  vtkNew<vtkSphereSource> mesh;
-  mesh->SetThetaResolution(60);
-  mesh->SetPhiResolution(60);
-  mesh->SetRadius(1);
-  mesh->Update();
+  const auto mesh = sphereOf(60, 60, 1);
   probe->SourceAsPointsOn();
   for (const int method : {vtkWindingNumberProbe::VORONOI, vtkWindingNumberProbe::MESH})
   {
     probe->SetPointAreaMethod(method);
-    EXPECT_NEAR(this->windingNumber(mesh->GetOutput()), 1, 0.01) << method;
-    EXPECT_NEAR(this->windingNumber(mesh->GetOutput(), 0.5, 0.3, 0.2), 1, 0.01) << method;
+    EXPECT_NEAR(this->windingNumber(mesh), 1, 0.01) << method;
+    EXPECT_NEAR(this->windingNumber(mesh, 0.5, 0.3, 0.2), 1, 0.01) << method;
   }
   // The poles are sampled far more densely than the equator.
   probe->SetPointAreaMethod(vtkWindingNumberProbe::CONSTANT);
-  EXPECT_GT(std::abs(this->windingNumber(mesh->GetOutput(), 0.5, 0.3, 0.2) - 1), 0.03);
+  EXPECT_GT(std::abs(this->windingNumber(mesh, 0.5, 0.3, 0.2) - 1), 0.03);
 }
 
 TEST_F(Clouds, AreasOfTheMeshNeedOne)

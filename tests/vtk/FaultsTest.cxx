@@ -3,6 +3,7 @@
 #include "support/RealMeshes.h"
 #include "vtk/ErrorLog.h"
 #include "vtk/ReadMesh.h"
+#include "vtk/Spheres.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -15,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSphereSource.h"
 #include "vtkWindingNumberReport.h"
 
 #include <gtest/gtest.h>
@@ -39,15 +39,6 @@ Place placeOf(vtkPolyData* data, vtkIdType point)
   Place place;
   data->GetPoint(point, place.data());
   return place;
-}
-
-vtkSmartPointer<vtkPolyData> sphere()
-{
-  vtkNew<vtkSphereSource> source;
-  source->SetThetaResolution(20);
-  source->SetPhiResolution(20);
-  source->Update();
-  return source->GetOutput();
 }
 
 /// A copy of a surface with some cells, given by their numbers, left out, turned round or repeated.
@@ -141,9 +132,9 @@ protected:
 
 TEST_F(Faults, OfAClosedSurfaceAndOfPointsAreNoBlocks)
 {
-  auto points = sphere();
+  auto points = sphereOf(20, 20);
   points->SetPolys(vtkSmartPointer<vtkCellArray>::New());
-  for (const auto& source : {sphere(), points, vtkSmartPointer<vtkPolyData>::New()})
+  for (const auto& source : {sphereOf(20, 20), points, vtkSmartPointer<vtkPolyData>::New()})
   {
     this->reportOn(source);
     EXPECT_EQ(filter->GetFaults()->GetNumberOfBlocks(), 0u);
@@ -152,7 +143,7 @@ TEST_F(Faults, OfAClosedSurfaceAndOfPointsAreNoBlocks)
 
 TEST_F(Faults, CanBeThickEnoughToBeSeen)
 {
-  this->reportOn(damaged(sphere(), {30}, {}, {}));
+  this->reportOn(damaged(sphereOf(20, 20), {30}, {}, {}));
   const double* lines = this->block("Boundary")->GetBounds();
   const double before[2] = {lines[0], lines[1]};
   filter->SetFaultThickness(0.01);
@@ -173,7 +164,7 @@ TEST_F(Faults, CanBeThickEnoughToBeSeen)
 
 TEST_F(Faults, OfHolesAreLoopsAndTheirCaps)
 {
-  auto source = damaged(sphere(), {30, 200, 201, 350}, {}, {});
+  auto source = damaged(sphereOf(20, 20), {30, 200, 201, 350}, {}, {});
   this->reportOn(source);
   vtkPolyData* boundary = this->block("Boundary");
   EXPECT_EQ(boundary->GetNumberOfCells(), filter->GetNumberOfBoundaryLoops());
@@ -227,7 +218,7 @@ TEST_F(Faults, OfABoundaryHaveTheWidthsOfItsSlits)
   EXPECT_NEAR(widths->GetTuple1(1), 1, 1e-8);
   EXPECT_EQ(filter->GetWidestSlit(), widths->GetRange()[1]);
   // Edges that two triangles use have no width.
-  this->reportOn(damaged(sphere(), {}, {100}, {}));
+  this->reportOn(damaged(sphereOf(20, 20), {}, {100}, {}));
   widths = this->block("Boundary")->GetCellData()->GetArray("SlitWidth");
   ASSERT_GT(widths->GetNumberOfTuples(), 0);
   EXPECT_TRUE(std::isnan(widths->GetTuple1(0)));
@@ -235,7 +226,7 @@ TEST_F(Faults, OfABoundaryHaveTheWidthsOfItsSlits)
 
 TEST_F(Faults, KnowTheirKindsAndAreColouredByThem)
 {
-  this->reportOn(damaged(sphere(), {30}, {100}, {250}));
+  this->reportOn(damaged(sphereOf(20, 20), {30}, {100}, {250}));
   for (const double thickness : {0.0, 0.01})
   {
     filter->SetFaultThickness(thickness);
@@ -256,7 +247,7 @@ TEST_F(Faults, KnowTheirKindsAndAreColouredByThem)
 
 TEST_F(Faults, OfTurnedAndRepeatedTrianglesAreEdges)
 {
-  auto source = damaged(sphere(), {}, {100}, {250});
+  auto source = damaged(sphereOf(20, 20), {}, {100}, {250});
   this->reportOn(source);
   EXPECT_EQ(this->block("InconsistentEdges")->GetNumberOfLines(), 3);
   EXPECT_EQ(this->block("NonManifoldEdges")->GetNumberOfLines(), 3);
@@ -306,14 +297,14 @@ TEST_F(Faults, AreOfTheSurfaceThatComesOut)
 {
   ErrorLog log(filter);
   filter->FixOrientationOn();
-  this->reportOn(damaged(sphere(), {}, {100, 101, 102}, {}));
+  this->reportOn(damaged(sphereOf(20, 20), {}, {100, 101, 102}, {}));
   EXPECT_EQ(this->block("InconsistentEdges")->GetNumberOfLines(), 0);
   EXPECT_EQ(this->block("Boundary")->GetNumberOfLines(), 0);
 }
 
 TEST_F(Faults, HaveThePrecisionOfTheSource)
 {
-  auto source = damaged(sphere(), {30}, {}, {});
+  auto source = damaged(sphereOf(20, 20), {30}, {}, {});
   this->reportOn(source);
   EXPECT_EQ(this->block("Caps")->GetPoints()->GetDataType(), VTK_FLOAT);
   vtkNew<vtkPoints> exact;
@@ -330,7 +321,7 @@ TEST_F(Faults, HaveThePrecisionOfTheSource)
 TEST_F(Faults, AreTheSecondOutputInAPipeline)
 {
   vtkNew<vtkWindingNumberReport> first;
-  first->SetInputData(damaged(sphere(), {30}, {}, {}));
+  first->SetInputData(damaged(sphereOf(20, 20), {30}, {}, {}));
   first->UpdatePiece(1, 2, 0); // the first piece has all blocks
   EXPECT_EQ(first->GetFaults()->GetNumberOfBlocks(), 0u);
   first->Update(1);

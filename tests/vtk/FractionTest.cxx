@@ -4,6 +4,7 @@
 #include "vtk/ErrorLog.h"
 #include "vtk/HowTo.h"
 #include "vtk/ProgressLog.h"
+#include "vtk/Spheres.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -22,7 +23,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
-#include "vtkSphereSource.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTetra.h"
 #include "vtkUnsignedCharArray.h"
@@ -40,13 +40,7 @@ namespace
 
 vtkSmartPointer<vtkPolyData> sphere(double x, double y, double z, double radius)
 {
-  vtkNew<vtkSphereSource> source;
-  source->SetCenter(x, y, z);
-  source->SetRadius(radius);
-  source->SetThetaResolution(30);
-  source->SetPhiResolution(25);
-  source->Update();
-  return source->GetOutput();
+  return sphereOf(30, 25, radius, {x, y, z});
 }
 
 /// The volume of the solid that triangles around a point bound.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "vtk/Spheres.h"
+
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -11,7 +13,6 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkSphereSource.h"
 #include "vtkUnsignedShortArray.h"
 #include "vtkWindingNumberLabels.h"
 
@@ -22,14 +23,7 @@
 inline vtkSmartPointer<vtkPolyData> ball(
   double x, double y, double z, double radius, double endPhi = 180)
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(x, y, z);
-  sphere->SetRadius(radius);
-  sphere->SetThetaResolution(24);
-  sphere->SetPhiResolution(16);
-  sphere->SetEndPhi(endPhi);
-  sphere->Update();
-  return sphere->GetOutput();
+  return sphereOf(24, 16, radius, {x, y, z}, endPhi);
 }
 
 /// Spheres that overlap: the third is open, the fourth lies in the first, the fifth alone.

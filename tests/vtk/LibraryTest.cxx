@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "c/Calls.h"
 #include "support/RealMeshes.h"
 #include "vtk/ReadMesh.h"
-#include "winding.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -25,7 +25,6 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <string>
 #include <vector>
 
 /**
@@ -35,14 +34,9 @@
 namespace
 {
 
-constexpr int resolution = 40;
+using calls::with;
 
-template <class Struct> Struct with(void (*init)(Struct*, size_t))
-{
-  Struct result;
-  init(&result, sizeof result);
-  return result;
-}
+constexpr int resolution = 40;
 
 /// A source that both are given, and a grid around it.
 class Library : public testing::TestWithParam<const char*>
@@ -288,10 +282,6 @@ INSTANTIATE_TEST_SUITE_P(OfSharedData, Library,
       "bunny_res2_nonmanifold.ply", "conrod_flipped.stl", "fractures_dfn2.vtp", "icosahedron.stl",
       "kitten_points_normals.ply", "maxplanck_open_90k.obj", "self_intersectA.obj",
       "sphere_quads.obj", "teapot.obj", "tray_thin_cad.stl", "truck_soup.obj"})),
-  [](const auto& mesh)
-  {
-    std::string name = mesh.param;
-    return name.replace(name.rfind('.'), 1, "_");
-  });
+  [](const auto& mesh) { return shapes::testNameOf(mesh.param); });
 
 } // namespace

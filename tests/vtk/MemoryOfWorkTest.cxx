@@ -3,6 +3,7 @@
 #include "pipeline/FreeMemory.h"
 #include "vtk/ErrorLog.h"
 #include "vtk/HowTo.h"
+#include "vtk/Spheres.h"
 
 #include "vtkCellArray.h"
 #include "vtkImageData.h"
@@ -108,11 +109,8 @@ TEST(MemoryOfWork, HugeQueriesAreRefused)
 TEST(MemoryOfWork, SurfacesAreRefusedByTheirVertices)
 {
   // A flat grid: rows take 3 MB, the vertices on the sides of the slab terabytes.
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(32);
-  sphere->SetPhiResolution(32);
   vtkNew<vtkWindingNumberSurface> surface;
-  surface->SetInputConnection(sphere->GetOutputPort());
+  surface->SetInputData(sphereOf(32, 32));
   surface->SetSamplingDimensions(2'000'000'000, 100, 100);
   expectRefused(surface.Get(), Parameter::voxelSize, "; the surface needs");
   EXPECT_EQ(surface->GetStatus(), vtkWindingNumberSurface::OUT_OF_MEMORY);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtk/ErrorLog.h"
 #include "vtk/HowTo.h"
+#include "vtk/Spheres.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -18,7 +19,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSphereSource.h"
 #include "vtkStringArray.h"
 #include "vtkStripper.h"
 #include "vtkTriangleFilter.h"
@@ -47,15 +47,8 @@ using Position = std::array<double, 3>;
 
 vtkSmartPointer<vtkPolyData> sphere(double x = 0, double radius = 1)
 {
-  vtkNew<vtkSphereSource> source;
-  source->SetCenter(x, 0, 0);
-  source->SetRadius(radius);
-  source->SetThetaResolution(60);
-  source->SetPhiResolution(40);
-  source->Update();
-  vtkNew<vtkPolyData> result;
-  result->SetPoints(source->GetOutput()->GetPoints());
-  result->SetPolys(source->GetOutput()->GetPolys());
+  const auto result = sphereOf(60, 40, radius, {x, 0, 0});
+  result->GetPointData()->Initialize();
   return result;
 }
 

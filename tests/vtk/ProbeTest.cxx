@@ -3,6 +3,7 @@
 #include "vtk/ErrorLog.h"
 #include "vtk/ImageSamples.h"
 #include "vtk/MovingSphere.h"
+#include "vtk/Spheres.h"
 
 #include "private/source/ImageGrid.h"
 
@@ -22,7 +23,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -48,12 +48,7 @@ protected:
 /// Points of a sphere with normals, or its open upper part, whose w is no integer.
 vtkSmartPointer<vtkPolyData> openSphere()
 {
-  vtkNew<vtkSphereSource> source;
-  source->SetThetaResolution(40);
-  source->SetPhiResolution(40);
-  source->SetEndPhi(120);
-  source->Update();
-  return source->GetOutput();
+  return sphereOf(40, 40, 0.5, {}, 120);
 }
 
 TEST_F(Probe, OutputIsTheQueriesWithArraysAdded)

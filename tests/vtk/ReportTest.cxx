@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtk/ErrorLog.h"
 #include "vtk/ProgressLog.h"
+#include "vtk/Spheres.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
@@ -36,12 +37,7 @@ namespace
 /// A closed sphere of triangles, with normals and a field-data array of its own.
 vtkSmartPointer<vtkPolyData> sphere(double radius = 0.5)
 {
-  vtkNew<vtkSphereSource> source;
-  source->SetRadius(radius);
-  source->SetThetaResolution(20);
-  source->SetPhiResolution(20);
-  source->Update();
-  vtkSmartPointer<vtkPolyData> result = source->GetOutput();
+  const auto result = sphereOf(20, 20, radius);
   vtkNew<vtkIntArray> own;
   own->SetName("Own");
   own->InsertNextValue(7);

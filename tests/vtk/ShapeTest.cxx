@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtk/ErrorLog.h"
 #include "vtk/SphereCloud.h"
+#include "vtk/Spheres.h"
 #include "vtk/SurfaceMeasures.h"
 
 #include "vtkAppendPolyData.h"
@@ -13,7 +14,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
-#include "vtkSphereSource.h"
 #include "vtkStringArray.h"
 #include "vtkWindingNumberSurface.h"
 
@@ -34,13 +34,7 @@ double volumeOfBall(double radius)
 
 vtkSmartPointer<vtkPolyData> ball(double radius, double endPhi = 180)
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetRadius(radius);
-  sphere->SetThetaResolution(160);
-  sphere->SetPhiResolution(120);
-  sphere->SetEndPhi(endPhi);
-  sphere->Update();
-  return sphere->GetOutput();
+  return sphereOf(160, 120, radius, {}, endPhi);
 }
 
 vtkSmartPointer<vtkPolyData> box(double x0, double x1)

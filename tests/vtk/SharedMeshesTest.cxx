@@ -301,11 +301,7 @@ TEST_P(SharedMeshes, HierarchicalKeepsTheToleranceAndHasTheSameBitsInSevenPieces
 }
 
 INSTANTIATE_TEST_SUITE_P(OfSharedData, SharedMeshes, testing::ValuesIn(meshes),
-  [](const auto& mesh)
-  {
-    std::string name = mesh.param;
-    return name.replace(name.rfind('.'), 1, "_");
-  });
+  [](const auto& mesh) { return shapes::testNameOf(mesh.param); });
 
 TEST(SharedMeshesList, HoldsEveryMeshOfTheManifest)
 {

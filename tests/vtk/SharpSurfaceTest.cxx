@@ -4,6 +4,7 @@
 #include "vtk/Backends.h"
 #include "vtk/ReadMesh.h"
 #include "vtk/SphereCloud.h"
+#include "vtk/Spheres.h"
 #include "vtk/SurfaceMeasures.h"
 
 #include "vtkCellArray.h"
@@ -253,15 +254,11 @@ TEST_F(SharpSurfaces, AreNearerToPartsThanSmoothOnes)
 
 TEST_F(SharpSurfaces, HaveQuadsOrTrianglesWithOutwardNormals)
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(40);
-  sphere->SetPhiResolution(40);
-  sphere->SetRadius(1);
-  sphere->Update();
+  const auto sphere = sphereOf(40, 40, 1);
   for (const bool areTriangles : {false, true})
   {
     filter->SetGenerateTriangles(areTriangles);
-    vtkPolyData* surface = this->update(sphere->GetOutput());
+    vtkPolyData* surface = this->update(sphere);
     this->expectClosed(surface);
     EXPECT_EQ(surface->GetPointData()->GetNormals(), nullptr);
     vtkDataArray* normals = surface->GetCellData()->GetNormals();
@@ -285,7 +282,7 @@ TEST_F(SharpSurfaces, HaveQuadsOrTrianglesWithOutwardNormals)
     EXPECT_EQ(areTriangles, quads == 0);
     EXPECT_GE(quads, areTriangles ? 0 : surface->GetNumberOfCells() * 9 / 10);
     filter->GenerateNormalsOff();
-    EXPECT_EQ(this->update(sphere->GetOutput())->GetCellData()->GetNormals(), nullptr);
+    EXPECT_EQ(this->update(sphere)->GetCellData()->GetNormals(), nullptr);
     filter->GenerateNormalsOn();
   }
 }
@@ -391,13 +388,8 @@ TEST_F(SharpSurfaces, AreClosedAtTheBorderByPlanes)
 
 TEST_F(SharpSurfaces, OfOpenAndOfScatteredSourcesAreClosed)
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(40);
-  sphere->SetPhiResolution(40);
-  sphere->SetEndPhi(140); // a hole at one pole
-  sphere->Update();
   filter->SetFidelitySamples(1000);
-  this->expectClosed(this->update(sphere->GetOutput()));
+  this->expectClosed(this->update(sphereOf(40, 40, 0.5, {}, 140))); // a hole at one pole
   EXPECT_TRUE(std::isnan(figure("InputVolume")));
   EXPECT_LT(figure("MeanDistanceFromInput"), 0.05 * voxelOf(filter));
   this->expectClosed(this->update(sphereCloud(2000, 1)));
@@ -525,8 +517,4 @@ INSTANTIATE_TEST_SUITE_P(OfSharedData, SharpSurfacesOfSharedData,
       SharedCad{"sphere_quads.obj", 0.0008, 0.06}, SharedCad{"self_intersectA.obj", 0.15, 8},
       SharedCad{"bunny_70k.obj", 0.012, 0.4}},
     [](const SharedCad& mesh) { return mesh.name; })),
-  [](const auto& mesh)
-  {
-    std::string name = mesh.param.name;
-    return name.replace(name.rfind('.'), 1, "_");
-  });
+  [](const auto& mesh) { return shapes::testNameOf(mesh.param.name); });

@@ -274,8 +274,4 @@ INSTANTIATE_TEST_SUITE_P(OfSharedData, ShuffledSharedData,
   testing::ValuesIn(shapes::present({"bunny_10k.obj", "maxplanck_open_90k.obj", "truck_soup.obj",
     "conrod_flipped.stl", "aneurysm_open.stl", "bunny_res2_nonmanifold.ply", "self_intersectA.obj",
     "tray_thin_cad.stl", "teapot.obj", "kitten_points_normals.ply", "bunny_noised_points.ply"})),
-  [](const auto& mesh)
-  {
-    std::string name = mesh.param;
-    return name.replace(name.rfind('.'), 1, "_");
-  });
+  [](const auto& mesh) { return shapes::testNameOf(mesh.param); });

@@ -67,11 +67,14 @@ double signedVolume(vtkPolyData* surface)
   for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
   {
     surface->GetPolys()->GetCellAtId(cell, corners, ids);
-    surface->GetPoint(ids[0], a);
-    surface->GetPoint(ids[1], b);
-    surface->GetPoint(ids[2], c);
-    vtkMath::Cross(b, c, cross);
-    sum += vtkMath::Dot(a, cross) / 6;
+    for (vtkIdType i = 2; i < corners; ++i)
+    {
+      surface->GetPoint(ids[0], a);
+      surface->GetPoint(ids[i - 1], b);
+      surface->GetPoint(ids[i], c);
+      vtkMath::Cross(b, c, cross);
+      sum += vtkMath::Dot(a, cross) / 6;
+    }
   }
   return sum;
 }

@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <string>
 #include <vector>
 
 namespace
@@ -54,11 +53,7 @@ TEST_P(SurfacesOfClosedMeshes, LieOnThemAndAreClosed)
 
 INSTANTIATE_TEST_SUITE_P(OfSharedData, SurfacesOfClosedMeshes,
   testing::ValuesIn(shapes::present({"bunny_70k.obj", "armadillo_86k.obj", "teapot.obj"})),
-  [](const auto& mesh)
-  {
-    std::string name = mesh.param;
-    return name.replace(name.rfind('.'), 1, "_");
-  });
+  [](const auto& mesh) { return shapes::testNameOf(mesh.param); });
 
 using SurfacesOfOpenData = SurfacesOfSharedData;
 
@@ -76,10 +71,6 @@ TEST_P(SurfacesOfOpenData, LieAtTheLevelOrOnAJumpOverIt)
 INSTANTIATE_TEST_SUITE_P(OfSharedData, SurfacesOfOpenData,
   testing::ValuesIn(shapes::present(
     {"bunny_res2_nonmanifold.ply", "maxplanck_open_90k.obj", "kitten_points_normals.ply"})),
-  [](const auto& mesh)
-  {
-    std::string name = mesh.param;
-    return name.replace(name.rfind('.'), 1, "_");
-  });
+  [](const auto& mesh) { return shapes::testNameOf(mesh.param); });
 
 } // namespace

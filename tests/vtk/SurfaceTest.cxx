@@ -4,6 +4,7 @@
 #include "vtk/ErrorLog.h"
 #include "vtk/ProgressLog.h"
 #include "vtk/SphereCloud.h"
+#include "vtk/Spheres.h"
 #include "vtk/SurfaceMeasures.h"
 
 #include "vtkCellArray.h"
@@ -261,18 +262,15 @@ TEST_F(Surfaces, OfACloudLieAtTheLevel)
 
 TEST_F(Surfaces, FollowRuleAndThreshold)
 {
-  vtkNew<vtkSphereSource> inner;
-  inner->SetThetaResolution(32);
-  inner->SetPhiResolution(32);
-  inner->Update();
+  const auto inner = sphereOf(32, 32);
   sphere->Update();
   vtkNew<vtkMultiBlockDataSet> both;
   both->SetBlock(0, sphere->GetOutput());
-  both->SetBlock(1, inner->GetOutput());
+  both->SetBlock(1, inner);
   filter->SetInputData(both);
   filter->SetResolution(30);
   const double outerVolume = signedVolume(sphere->GetOutput());
-  const double innerVolume = signedVolume(inner->GetOutput());
+  const double innerVolume = signedVolume(inner);
   EXPECT_NEAR(signedVolume(this->update()), outerVolume, 0.03);
   filter->SetWindingThreshold(1.5);
   EXPECT_NEAR(signedVolume(this->update()), innerVolume, 0.03);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtk/Backends.h"
 #include "vtk/ErrorLog.h"
+#include "vtk/Spheres.h"
 #include "vtk/SurfaceMeasures.h"
 
 #include "vtkCell.h"
@@ -14,7 +15,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSphereSource.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindingNumberBoolean.h"
@@ -118,12 +118,7 @@ vtkIdType expectVoxelsOfTheField(vtkPolyData* source, double threshold)
 
 vtkSmartPointer<vtkPolyData> sphereUpTo(double endPhi)
 {
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetThetaResolution(40);
-  sphere->SetPhiResolution(40);
-  sphere->SetEndPhi(endPhi);
-  sphere->Update();
-  return sphere->GetOutput();
+  return sphereOf(40, 40, 0.5, {}, endPhi);
 }
 
 vtkSmartPointer<vtkPolyData> cubeOf(double x0, double x1)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtk/ErrorLog.h"
+#include "vtk/SurfaceMeasures.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -24,29 +25,6 @@
 
 namespace
 {
-
-/// A signed volume: positive only if the faces look outwards.
-double signedVolume(vtkPolyData* surface)
-{
-  double volume = 0;
-  vtkIdType size;
-  const vtkIdType* ids;
-  for (vtkIdType cell = 0; cell < surface->GetPolys()->GetNumberOfCells(); ++cell)
-  {
-    surface->GetPolys()->GetCellAtId(cell, size, ids);
-    for (vtkIdType i = 2; i < size; ++i)
-    {
-      double a[3], b[3], c[3];
-      surface->GetPoint(ids[0], a);
-      surface->GetPoint(ids[i - 1], b);
-      surface->GetPoint(ids[i], c);
-      volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-                  a[2] * (b[0] * c[1] - b[1] * c[0])) /
-                6;
-    }
-  }
-  return volume;
-}
 
 /// An image of points with the given scalars, voxels of 2 x 1 x 0.5, first centre at (10, 0, 0).
 vtkSmartPointer<vtkImageData> image(int nx, int ny, int nz, const std::vector<float>& values)

@@ -4,6 +4,7 @@
 
 #include "base/Executor.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +47,6 @@ std::vector<std::vector<std::uint32_t>> randomTargets(
 TEST(BucketSort, KeepsTheOrderOfTheSourcesInEveryBucketForAnyExecutor)
 {
   SCOPED_TRACE("seeds 151 … 156");
-  winding::SerialExecutor serial;
   ShuffledThreads threads(151);
   unsigned seed = 152;
   for (const std::size_t sources : {0, 1, 5, 100000})

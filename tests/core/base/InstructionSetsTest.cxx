@@ -6,12 +6,13 @@
 #include "sums/DirectSum.h"
 #include "sums/ReferenceSum.h"
 #include "support/FarFields.h"
+#include "support/Samples.h"
+#include "support/Serial.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
 #include <bitset>
-#include <cmath>
 
 /**
  * @file
@@ -37,16 +38,6 @@ protected:
   }
 };
 
-double largestDifference(const std::vector<double>& a, const std::vector<double>& b)
-{
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    largest = std::max(largest, std::abs(a[i] - b[i]));
-  }
-  return largest;
-}
-
 } // namespace
 
 TEST_F(InstructionSets, AllKeepTheirPromises)
@@ -66,7 +57,6 @@ TEST_F(InstructionSets, AllKeepTheirPromises)
     exactOfCloud.push_back(winding::referenceSum<double>(cloud, areas, q));
     exactOfRegularized.push_back(winding::referenceSum<double>(regularized, areas, q));
   }
-  winding::SerialExecutor serial;
   const winding::VectorsView view(samples[0].data(), samples.size());
   std::vector<double> values(samples.size());
   winding::FieldOutput output;

@@ -6,6 +6,7 @@
 #include "source/PointCloud.h"
 #include "support/Places.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,6 @@ using namespace shapes;
 winding::PointCloud withAreas(const Cloud& cloud)
 {
   winding::PointCloud result = clean(cloud);
-  winding::SerialExecutor serial;
   result.areas =
     winding::voronoiAreas(result, placesOf(result.positions), winding::defaultNeighbors, serial);
   return result;
@@ -26,7 +26,6 @@ winding::PointCloud withAreas(const Cloud& cloud)
 
 winding::CloudOrientation orientationOf(const Cloud& cloud)
 {
-  winding::SerialExecutor serial;
   return winding::orientationOf(withAreas(cloud), serial);
 }
 
@@ -64,7 +63,6 @@ TEST(CloudOrientation, OfASphereIsOutwardAndOfItsReverseInward)
 
 TEST(CloudOrientation, TakesWindingNumbersLessThanAQuarterOffForClear)
 {
-  winding::SerialExecutor serial;
   for (const double factor : {0.72, 0.78, 1.22, 1.28})
   {
     // w is the factor behind the points, and 0 before them.
@@ -118,7 +116,6 @@ TEST(CloudOrientation, IsNotFooledByThousandsOfEqualPoints)
 
 TEST(CloudOrientation, OfNothingIsNothing)
 {
-  winding::SerialExecutor serial;
   EXPECT_FALSE(winding::orientationOf(winding::PointCloud(), serial).isClear());
   // A single point has an area of 0.
   EXPECT_FALSE(orientationOf(Cloud{{{1, 2, 3}}, {{0, 0, 1}}}).isClear());
@@ -128,7 +125,6 @@ TEST(CloudOrientation, DoesNotDependOnTheThreads)
 {
   SCOPED_TRACE("seed 97");
   ShuffledThreads threads(97);
-  winding::SerialExecutor serial;
   const winding::PointCloud cloud = withAreas(sphereCloud(3000));
   const winding::CloudOrientation one = winding::orientationOf(cloud, serial);
   const winding::CloudOrientation many = winding::orientationOf(cloud, threads);

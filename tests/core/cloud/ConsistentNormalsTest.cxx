@@ -10,6 +10,7 @@
 #include "cloud/PatchSigns.h"
 #include "support/Places.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
@@ -26,7 +27,6 @@ using namespace shapes;
 
 winding::ConsistentNormals estimate(const std::vector<Point>& positions, int neighbors = 20)
 {
-  winding::SerialExecutor serial;
   return winding::consistentNormals(placesOf(positions), neighbors, serial);
 }
 
@@ -67,17 +67,15 @@ void addBox(Scan& scan, std::size_t count, const Point& low, const Point& high, 
   }
 }
 
-/// The share of normals whose cosine with those expected is greater than that given.
-double rightShare(
+/// Returns the share of normals, which must have length 1, that rightShare() counts.
+double unitShare(
   const std::vector<Point>& normals, const std::vector<Point>& expected, double cosine = 0)
 {
-  std::size_t right = 0;
-  for (std::size_t i = 0; i < normals.size(); ++i)
+  for (const Point& normal : normals)
   {
-    EXPECT_NEAR(normals[i].norm(), 1, 1e-12);
-    right += normals[i].dot(expected[i]) > cosine;
+    EXPECT_NEAR(normal.norm(), 1, 1e-12);
   }
-  return static_cast<double>(right) / static_cast<double>(normals.size());
+  return rightShare(normals, expected, cosine);
 }
 
 /// Nested spheres, solid between the first and the second one, and the third and the fourth one.
@@ -178,14 +176,14 @@ TEST(ConsistentNormals, OfNestedShellsPointIntoTheirCavities)
 {
   const Scan scan = shells();
   const winding::ConsistentNormals estimated = estimate(scan.positions);
-  EXPECT_EQ(rightShare(estimated.normals, scan.normals), 1);
+  EXPECT_EQ(unitShare(estimated.normals, scan.normals), 1);
   EXPECT_LT(estimated.deviation, 0.01); // 0.003
 }
 
 TEST(ConsistentNormals, OfPlatesSideBySide)
 {
   const Scan scan = plates();
-  EXPECT_GT(rightShare(estimate(scan.positions).normals, scan.normals), 0.97); // 0.99
+  EXPECT_GT(unitShare(estimate(scan.positions).normals, scan.normals), 0.97); // 0.99
 }
 
 TEST(ConsistentNormals, OfThinWallsAreThoseOfTheirTwoSheets)
@@ -194,7 +192,7 @@ TEST(ConsistentNormals, OfThinWallsAreThoseOfTheirTwoSheets)
   const Scan scan = hollowBox(6000);
   const std::vector<Point> normals = estimate(scan.positions).normals;
   // 0.84; of planes through all neighbours 0.27
-  EXPECT_GT(rightShare(normals, scan.normals, cosineOf8Degrees), 0.8);
+  EXPECT_GT(unitShare(normals, scan.normals, cosineOf8Degrees), 0.8);
 }
 
 TEST(ConsistentNormals, OfWallsWhoseSensesTheTreeFindsAreThoseOfTheirTwoSheets)
@@ -204,7 +202,7 @@ TEST(ConsistentNormals, OfWallsWhoseSensesTheTreeFindsAreThoseOfTheirTwoSheets)
   const winding::ConsistentNormals estimated = estimate(scan.positions);
   EXPECT_FALSE(estimated.triedPatches);
   // 0.87; of planes through all neighbours 0.67
-  EXPECT_GT(rightShare(estimated.normals, scan.normals, cosineOf8Degrees), 0.8);
+  EXPECT_GT(unitShare(estimated.normals, scan.normals, cosineOf8Degrees), 0.8);
 }
 
 TEST(ConsistentNormals, OfPartsThatTouch)
@@ -214,7 +212,7 @@ TEST(ConsistentNormals, OfPartsThatTouch)
   addBox(scan, 4000, Point(0, 0, 0), Point(1, 1, 1), random);
   addBox(scan, 4000, Point(1.06, 0.2, 0.1), Point(2, 1.4, 0.9), random);
   addBox(scan, 2000, Point(0.2, 0.3, 1.07), Point(1.8, 0.8, 1.4), random);
-  EXPECT_GT(rightShare(estimate(scan.positions).normals, scan.normals), 0.97);
+  EXPECT_GT(unitShare(estimate(scan.positions).normals, scan.normals), 0.97);
 }
 
 TEST(ConsistentNormals, OfNoisyPoints)
@@ -229,9 +227,9 @@ TEST(ConsistentNormals, OfNoisyPoints)
     addNoise(scan, noise, random);
     const std::vector<Point> normals = estimate(scan.positions).normals;
     // 1.0000 and 0.9994; 0.985 and 1.000 as they are found first
-    EXPECT_GT(rightShare(normals, scan.normals), 0.995) << noise;
+    EXPECT_GT(unitShare(normals, scan.normals), 0.995) << noise;
     // 1.0000 and 0.997; 0.985 and 0.836 as they are found first
-    EXPECT_GT(rightShare(normals, scan.normals, cosineOf20Degrees), 0.99) << noise;
+    EXPECT_GT(unitShare(normals, scan.normals, cosineOf20Degrees), 0.99) << noise;
   }
 }
 
@@ -239,7 +237,7 @@ TEST(ConsistentNormals, OfNoisyPlatesSideBySide)
 {
   const Scan scan = noisyPlates();
   // 0.954; 0.69 by places of a thinned cloud
-  EXPECT_GT(rightShare(estimate(scan.positions).normals, scan.normals), 0.93);
+  EXPECT_GT(unitShare(estimate(scan.positions).normals, scan.normals), 0.93);
 }
 
 TEST(ConsistentNormals, OfANoisyFrame)
@@ -247,7 +245,7 @@ TEST(ConsistentNormals, OfANoisyFrame)
   const Scan scan = noisyFrame();
   // 0.952; 0.929 where w is to be near 1/2 without a factor for the areas, which are too large. On
   // average of twelve seeds 0.940 and 0.926
-  EXPECT_GT(rightShare(estimate(scan.positions).normals, scan.normals), 0.942);
+  EXPECT_GT(unitShare(estimate(scan.positions).normals, scan.normals), 0.942);
 }
 
 TEST(Deviation, UpToScaleIsTheLeastForAnyFactor)
@@ -312,7 +310,6 @@ TEST(ConsistentNormals, HaveTheSameBitsForAnyThreadsAndOrder)
 TEST(NormalsToTurn, AreThoseThatHaveBeenTurned)
 {
   const Scan scan = plates();
-  winding::SerialExecutor serial;
   EXPECT_EQ(winding::normalsToTurn(scan.positions, scan.normals, serial),
     std::vector<unsigned char>(scan.normals.size(), 0));
   Random random(8);
@@ -368,7 +365,6 @@ TEST(NormalsToTurn, DoNotDependOnTheOrderOfPointsAtOnePlace)
     other.positions.push_back(scan.positions[point]);
     other.normals.push_back(scan.normals[point]);
   }
-  winding::SerialExecutor serial;
   ShuffledThreads threads(5);
   const auto expected = winding::normalsToTurn(scan.positions, scan.normals, serial);
   const auto turns = winding::normalsToTurn(other.positions, other.normals, threads);
@@ -381,7 +377,6 @@ TEST(NormalsToTurn, DoNotDependOnTheOrderOfPointsAtOnePlace)
 TEST(ConsistentNormals, AreTheSameWhereTheSpanningTreeIsKnown)
 {
   const Scan scan = shells();
-  winding::SerialExecutor serial;
   const std::vector<Point> byTree = winding::estimateNormals(placesOf(scan.positions), 20, serial);
   const winding::ConsistentNormals expected = estimate(scan.positions);
   const winding::ConsistentNormals found =
@@ -409,7 +404,7 @@ TEST(ConsistentNormals, OfDegenerateCloudsAreFinite)
     {
       const std::vector<Point> normals = estimate(cloud, neighbors).normals;
       ASSERT_EQ(normals.size(), cloud.size());
-      rightShare(normals, normals);
+      unitShare(normals, normals);
     }
   }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud/NeighborSearch.h"
 
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 namespace
 {
 
+using shapes::serial;
 using winding::DistinctPoints;
 using winding::Neighbor;
 using winding::NeighborSearch;
@@ -49,7 +51,6 @@ void expectEqual(const std::vector<Neighbor>& found, const std::vector<Neighbor>
 /// Checks the neighbours of every place, or of one in `step`.
 void check(const std::vector<Point>& points, std::size_t count, std::size_t step = 1)
 {
-  winding::SerialExecutor serial;
   const DistinctPoints places(points, 1, serial);
   const NeighborSearch search(places, serial);
   std::vector<Neighbor> found;
@@ -126,7 +127,6 @@ TEST(NeighborSearch, IsTheSameEveryTimeAndOnSeveralThreads)
   {
     lattice.emplace_back(i % 16, i / 16 % 16, i / 256);
   }
-  winding::SerialExecutor serial;
   const DistinctPoints places(lattice, 1, serial);
   const NeighborSearch search(places, serial), again(places, serial);
   std::vector<std::vector<std::uint32_t>> byThreads(places.size());
@@ -168,7 +168,6 @@ TEST(NeighborSearch, NeverFindsItselfWhereSquaresUnderflow)
     points.emplace_back(1e-200 * i, 0, 0);
   }
   points.emplace_back(1, 0, 0);
-  winding::SerialExecutor serial;
   const DistinctPoints places(points, 1, serial);
   const NeighborSearch search(places, serial);
   std::vector<Neighbor> found;
@@ -192,7 +191,6 @@ TEST(NeighborSearch, FindsTheSameWhateverWasSearchedBefore)
     points.emplace_back(i % 9, i / 9 % 9, i / 81);           // full of equal distances
     points.emplace_back(5 + std::ldexp(1.0, -i % 60), 0, 0); // far apart, and all but at one place
   }
-  winding::SerialExecutor serial;
   const DistinctPoints places(points, 1, serial);
   const NeighborSearch search(places, serial);
   std::vector<Neighbor> found, expected;

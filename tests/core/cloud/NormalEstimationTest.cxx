@@ -6,6 +6,7 @@
 
 #include "support/Places.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
@@ -20,7 +21,6 @@ using namespace shapes;
 
 std::vector<Point> estimate(const std::vector<Point>& positions, int neighbors = 20)
 {
-  winding::SerialExecutor serial;
   return winding::estimateNormals(placesOf(positions), neighbors, serial);
 }
 
@@ -150,7 +150,6 @@ TEST(PlacePlanes, HaveTheDeviationOfTheNoise)
     positions.push_back({random(0, 100), random(0, 100), noise * sum});
   }
   const winding::DistinctPoints places = placesOf(positions);
-  winding::SerialExecutor serial;
   for (const std::size_t neighbors : {6u, 20u})
   {
     const std::vector<double> deviations =
@@ -210,7 +209,6 @@ TEST(NormalEstimation, GivesUnitNormalsWhateverThePoints)
 TEST(NormalEstimation, TakesNoMemoryForManyNeighbors)
 {
   const Cloud cloud = sphereCloud(2000);
-  winding::SerialExecutor serial;
   const winding::DistinctPoints places(cloud.positions, 1, serial);
   const winding::NeighborGraph graph(places, 1000, serial);
   EXPECT_EQ(graph.neighborsPerPlace(), 40u);

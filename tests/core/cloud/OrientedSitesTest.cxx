@@ -4,6 +4,7 @@
 
 #include "source/CompareCoordinates.h"
 #include "source/PointCloud.h"
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +56,6 @@ TEST(OrientedSites, GroupThePointsOfEachPlaceByTheirFirst)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const winding::PointCloud cloud = crowdedCloud(3000, 1 + 30 * (seed - 1001), seed);
-    winding::SerialExecutor serial;
     const DistinctPoints places(cloud.positions, 1, serial);
     const OrientedSites sites(cloud, places, serial);
     std::size_t next = 0;
@@ -107,7 +107,6 @@ TEST(OrientedSites, HaveSimilarNormalsOrNot)
   winding::PointCloud cloud;
   cloud.positions.assign(2, Point(1, 2, 3));
   cloud.normals = {Point(0, 0, 1), Point(0, 0, -1)};
-  winding::SerialExecutor serial;
   const DistinctPoints places(cloud.positions, 1, serial);
   const OrientedSites sites(cloud, places, serial);
   EXPECT_EQ(sites.size(), 2u) << "two sides";
@@ -120,7 +119,6 @@ TEST(OrientedSites, AreTheSameForAnyExecutor)
 {
   SCOPED_TRACE("seed 1021");
   const winding::PointCloud cloud = crowdedCloud(50'000, 15'000, 1021);
-  winding::SerialExecutor serial;
   ShuffledThreads threads(1022);
   const DistinctPoints places(cloud.positions, 1, serial);
   const OrientedSites one(cloud, places, serial), other(cloud, places, threads);

@@ -12,13 +12,13 @@
 #include "cloud/PlaceNormals.h"
 #include "support/Places.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <iterator>
 #include <numeric>
@@ -108,23 +108,12 @@ Cloud shells()
   return cloud;
 }
 
-double rightShare(const std::vector<Point>& normals, const std::vector<Point>& expected)
-{
-  std::size_t right = 0;
-  for (std::size_t i = 0; i < normals.size(); ++i)
-  {
-    right += normals[i].dot(expected[i]) > 0;
-  }
-  return static_cast<double>(right) / static_cast<double>(normals.size());
-}
-
 double rightShare(const Cloud& cloud, winding::NormalEstimation estimation)
 {
   winding::PointCloud given = clean(cloud);
   given.normals.clear();
-  winding::SerialExecutor serial;
   winding::giveOutwardNormals(given, estimation, {}, {}, serial);
-  return rightShare(given.normals, cloud.normals);
+  return shapes::rightShare(given.normals, cloud.normals);
 }
 
 /// Normals by the spanning tree, turned outward.
@@ -132,7 +121,6 @@ std::vector<Point> byTree(const Cloud& cloud)
 {
   winding::PointCloud given = clean(cloud);
   given.normals.clear();
-  winding::SerialExecutor serial;
   winding::giveOutwardNormals(given, winding::NormalEstimation::spanningTree, {}, {}, serial);
   return given.normals;
 }
@@ -166,7 +154,6 @@ struct Judged
 
   const Cloud cloud;
   const winding::DistinctPoints places;
-  winding::SerialExecutor serial;
   const winding::NeighborGraph graph;
   const winding::OverlappingNormals overlapping;
 };
@@ -272,7 +259,6 @@ TEST(OverlappingNormals, OfNoisyPointsAreThoseOfSomeThatAreMovedOntoPlanes)
   given.normals.clear();
   winding::PointCloud reversed = given;
   std::reverse(reversed.positions.begin(), reversed.positions.end());
-  winding::SerialExecutor serial;
   winding::giveOutwardNormals(given, NormalEstimation::automatic, {}, {}, serial);
   ShuffledThreads threads(346);
   winding::giveOutwardNormals(reversed, NormalEstimation::automatic, {}, {}, threads);

@@ -5,6 +5,7 @@
 
 #include "support/Places.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include "cloud/NormalEstimation.h"
@@ -27,13 +28,11 @@ constexpr double sphereArea = 4 * winding::pi;
 
 std::vector<double> voronoiAreas(const winding::PointCloud& cloud, int neighbors = 20)
 {
-  winding::SerialExecutor serial;
   return winding::voronoiAreas(cloud, placesOf(cloud.positions), neighbors, serial);
 }
 
 double meanPointArea(const winding::PointCloud& cloud)
 {
-  winding::SerialExecutor serial;
   return winding::meanPointArea(
     cloud, placesOf(cloud.positions), winding::defaultNeighbors, serial);
 }
@@ -379,7 +378,6 @@ TEST(VoronoiAreas, AreNeverLessThanNothing)
   {
     cloud.positions.emplace_back(x, 1e-9 * y, z);
   }
-  winding::SerialExecutor serial;
   winding::PointCloud points = clean(cloud);
   points.normals = winding::estimateNormals(placesOf(points.positions), 8, serial);
   const std::vector<double> areas =

@@ -7,7 +7,7 @@
 
 #include "support/Places.h"
 #include "support/Samples.h"
-#include "support/Shapes.h"
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
@@ -22,19 +22,7 @@ using winding::Viewpoints;
 
 std::vector<Point> normalsToward(const std::string& text, const std::vector<Point>& positions)
 {
-  winding::SerialExecutor serial;
   return winding::normalsToward(Viewpoints(text), placesOf(positions), 20, serial);
-}
-
-/// The share of normals with the sense of others.
-double rightShare(const std::vector<Point>& normals, const std::vector<Point>& expected)
-{
-  std::size_t right = 0;
-  for (std::size_t i = 0; i < normals.size(); ++i)
-  {
-    right += normals[i].dot(expected[i]) > 0 ? 1 : 0;
-  }
-  return static_cast<double>(right) / static_cast<double>(normals.size());
 }
 
 /// Adds points on a rectangle from `corner` along two edges, with noise across.
@@ -137,7 +125,6 @@ TEST(Viewpoints, AreReadFromText)
 {
   EXPECT_TRUE(Viewpoints("").empty());
   EXPECT_TRUE(Viewpoints(" ").empty());
-  winding::SerialExecutor serial;
   const winding::DistinctPoints origin = placesOf({{0, 0, 0}});
   for (const auto& [text, direction] : std::vector<std::pair<std::string, Point>>{{"up", {0, 0, 1}},
          {" -y ", {0, -1, 0}}, {"direction 0 -2 0", {0, -1, 0}}, {"3,0,0", {1, 0, 0}},

@@ -3,6 +3,8 @@
 #include "diagnosis/Diagnosis.h"
 
 #include "field/Field.h"
+#include "support/Fields.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/Shuffled.h"
 
@@ -19,16 +21,9 @@ namespace
 using namespace shapes;
 using winding::Field;
 
-std::shared_ptr<const Field> fieldOf(const Mesh& mesh)
-{
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, {}, serial);
-}
-
 /// The faults and facts of a source, one line each.
 std::string faultsOf(const Field& field)
 {
-  winding::SerialExecutor serial;
   std::string lines;
   for (const winding::Message& message : field.diagnosis().ofSource(serial))
   {
@@ -40,11 +35,6 @@ std::string faultsOf(const Field& field)
 std::string faultsOf(const Mesh& mesh)
 {
   return faultsOf(*fieldOf(mesh));
-}
-
-Mesh moved(const Mesh& mesh, const Point& by)
-{
-  return mesh.mapped([&by](const Point& p) { return Point(p + by); });
 }
 
 /// The mesh with some of its triangles once more, over the same points, turned round or not.
@@ -90,7 +80,7 @@ Mesh sheet(double z, int n, double low = 0.1, double high = 0.9)
 TEST(Diagnosis, FindsNothingWrongWithSolids)
 {
   for (const Mesh& solid : {icosphere(4), cube(), torus(50, 30), surfaceOf(lShape()),
-         surfaceOf(randomCells(5, 3)), icosphere(3).with(moved(icosphere(3), {0.3, 0.2, 0.1})),
+         surfaceOf(randomCells(5, 3)), icosphere(3).with(icosphere(3).moved({0.3, 0.2, 0.1})),
          icosphere(4).part(0, 5000), openCube(), icosphere(3).reversed()})
   {
     EXPECT_EQ(faultsOf(solid), "");
@@ -109,7 +99,7 @@ TEST(Diagnosis, FindsFacesThatAreThereTwice)
     << "a whole solid is there twice";
   EXPECT_EQ(faultsOf(withAgain(ball, 0, 400, true)), fault + "400 of 1680 triangles\n");
   // Walls between solids that touch cancel, as they should.
-  const Mesh stack = cube().with(moved(cube(), {0, 0, 1})).with(moved(cube(), {0, 0, 2}));
+  const Mesh stack = cube().with(cube().moved({0, 0, 1})).with(cube().moved({0, 0, 2}));
   EXPECT_EQ(faultsOf(stack), "");
   // A core that fills the void of its shell.
   const Mesh core = cube({0.3, 0.3, 0.3}, {0.7, 0.7, 0.7});
@@ -176,13 +166,12 @@ TEST(Diagnosis, FindsOpenPartsThatChangeWhatIsInside)
   }
   EXPECT_EQ(faultsOf(baffles).rfind(fault, 0), 0u) << faultsOf(baffles);
   EXPECT_EQ(faultsOf(box.with(sheet(0.5, 4))), "") << "w is more than 1/2 beside a single sheet";
-  EXPECT_EQ(faultsOf(box.with(moved(sheet(0.5, 4), {2, 0, 0}))), "") << "it lies outside";
+  EXPECT_EQ(faultsOf(box.with(sheet(0.5, 4).moved({2, 0, 0}))), "") << "it lies outside";
 }
 
 TEST(Diagnosis, FindsPartsThatLookInward)
 {
-  winding::SerialExecutor serial;
-  const Mesh large = icosphere(4), small = moved(icosphere(1), {40, 0, 0});
+  const Mesh large = icosphere(4), small = icosphere(1).moved({40, 0, 0});
   const auto looksInward = [&](const Mesh& mesh, std::size_t negative)
   {
     winding::SideCounts sides;
@@ -202,7 +191,7 @@ TEST(Diagnosis, FindsPartsThatLookInward)
   // An open source looks inward if most of a part does.
   EXPECT_TRUE(looksInward(large.part(0, 5000).reversed(), 1000));
   EXPECT_FALSE(looksInward(large.part(0, 5000), 1000));
-  EXPECT_TRUE(looksInward(large.with(moved(large, {5, 0, 0}).part(0, 5000).reversed()), 1000));
+  EXPECT_TRUE(looksInward(large.with(large.moved({5, 0, 0}).part(0, 5000).reversed()), 1000));
 }
 
 TEST(Diagnosis, IsTheSameForAnyOrder)

@@ -9,7 +9,6 @@
 #include <functional>
 #include <ostream>
 #include <string>
-#include <vector>
 
 /**
  * Diagnosis takes a tenth of the time of the answer, and 2 ms: Diagnosis.h promises so.
@@ -33,16 +32,6 @@ void PrintTo(const Case& one, std::ostream* stream)
   *stream << one.name;
 }
 
-Mesh moved(const Mesh& mesh, const Point& by)
-{
-  return mesh.mapped([&by](const Point& p) { return Point(p + by); });
-}
-
-Mesh scaled(const Mesh& mesh, double factor)
-{
-  return mesh.mapped([factor](const Point& p) { return Point(factor * p); });
-}
-
 Mesh doubledFaces()
 {
   Mesh mesh = torus(300, 150);
@@ -60,7 +49,7 @@ Mesh nestedOpenParts()
   for (int i = 0; i < 9; ++i)
   {
     const Point place(0.4 * (i % 3 - 1), 0.4 * (i / 3 % 3 - 1), 0);
-    mesh = mesh.with(moved(scaled(icosphere(3).part(0, 900), 0.15), place));
+    mesh = mesh.with(icosphere(3).part(0, 900).scaled(0.15).moved(place));
   }
   return mesh;
 }
@@ -68,13 +57,13 @@ Mesh nestedOpenParts()
 Mesh thinWalls()
 {
   const Mesh ball = icosphere(6);
-  return ball.with(scaled(ball.reversed(), 0.99));
+  return ball.with(ball.reversed().scaled(0.99));
 }
 
 /// An open sphere, and a small part far away from it.
 Mesh withStray()
 {
-  return icosphere(6).part(0, 80000).with(moved(scaled(cube(), 0.01), {1e4, 1e4, 1e4}));
+  return icosphere(6).part(0, 80000).with(cube().scaled(0.01).moved({1e4, 1e4, 1e4}));
 }
 
 class TimeOfDiagnosis : public testing::TestWithParam<Case>

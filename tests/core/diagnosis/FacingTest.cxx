@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "diagnosis/Diagnosis.h"
 
-#include "base/Bounds.h"
-#include "base/Executor.h"
 #include "diagnosis/InsideOutAdvice.h"
 #include "field/Field.h"
+#include "support/Fields.h"
+#include "support/Grids.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <vector>
 
 namespace
@@ -20,29 +20,13 @@ using namespace shapes;
 using winding::Field;
 using winding::Grid;
 
-std::shared_ptr<const Field> fieldOf(const Mesh& mesh)
-{
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, {}, serial);
-}
-
-std::shared_ptr<const Field> fieldOf(const Cloud& cloud)
-{
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, {}, serial);
-}
-
 Grid gridOver(const Point& low, const Point& high)
 {
-  winding::GridRequest request;
-  request.bounds = winding::Bounds(low, high);
-  request.resolution = 12;
-  return winding::setUpGrid(request);
+  return gridAround({low, high}, 12);
 }
 
 winding::Facing facingOf(const Field& field, const winding::SideCounts& sides)
 {
-  winding::SerialExecutor serial;
   return field.diagnosis().facing(sides, winding::InsideRule::signedThreshold, 0.5, serial);
 }
 
@@ -60,7 +44,6 @@ winding::SideCounts sidesOf(const Field& field, const Grid& grid, double thresho
   winding::FieldOutput output;
   output.threshold = threshold;
   output.sides = &sides;
-  winding::SerialExecutor serial;
   field.evaluate(grid, grid.wholeExtent(), output, serial);
   return sides.counts(winding::sampleCount(grid.wholeExtent()));
 }
@@ -72,7 +55,6 @@ winding::SideCounts sidesOf(
   winding::FieldOutput output;
   output.threshold = threshold;
   output.sides = &sides;
-  winding::SerialExecutor serial;
   field.evaluate(samples, output, serial);
   return sides.counts(samples.size());
 }
@@ -98,7 +80,6 @@ void expectInsideOut(const Field& field, const Grid& grid, bool expected, double
   std::vector<double> values(samples.size());
   winding::FieldOutput output;
   output.doubleValues = values.data();
-  winding::SerialExecutor serial;
   field.evaluate(view, output, serial);
   ASSERT_LT(*std::max_element(values.begin(), values.end()), 0.5) << "none may be inside";
   const winding::SideCounts sides =
@@ -142,7 +123,6 @@ TEST(Facing, IsNotASourceThatSamplesMiss)
   {
     expectInsideOut(*fieldOf(mesh), beside, false);
   }
-  winding::SerialExecutor serial;
   const auto nothing = Field::build(std::vector<winding::TrianglesView>(), {}, serial);
   EXPECT_FALSE(looksInward(*nothing, sidesOf(*nothing, beside, 0.5)));
   const auto ball = fieldOf(icosphere(2));

@@ -4,6 +4,9 @@
 
 #include "diagnosis/Diagnosis.h"
 #include "field/Field.h"
+#include "support/Fields.h"
+#include "support/Grids.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -23,17 +26,12 @@ using winding::ThinParts;
 
 Grid gridAround(const Mesh& mesh, int resolution)
 {
-  winding::GridRequest request;
-  request.bounds = clean(mesh).bounds;
-  request.padding = 0.05;
-  request.resolution = resolution;
-  return setUpGrid(request);
+  return shapes::gridAround(clean(mesh).bounds, resolution, 0.05);
 }
 
 std::optional<ThinParts> thinPartsOn(const Mesh& mesh, const Grid& grid, double threshold = 0.5)
 {
-  winding::SerialExecutor serial;
-  const auto field = winding::Field::build({mesh.view()}, winding::FieldOptions(), serial);
+  const auto field = fieldOf(mesh);
   const Extent extent = grid.wholeExtent();
   std::vector<unsigned char> inside(winding::sampleCount(extent));
   winding::FieldOutput output;
@@ -119,8 +117,7 @@ TEST(ThinParts, OfFewLargeTrianglesAreLostAmongManySmallOnes)
   for (const int level : {6, 7})
   {
     SCOPED_TRACE(level);
-    const Mesh ball =
-      icosphere(level).mapped([](const Point& p) { return Point(p + Point(4, 4, 4)); });
+    const Mesh ball = icosphere(level).moved({4, 4, 4});
     const Mesh plate = cube({0.03, 0.05, 0.07}, {9.7, 9.9, 0.13});
     const auto parts = thinPartsOn(plate.with(ball), gridAround(plate.with(ball), 40));
     ASSERT_TRUE(parts);
@@ -146,7 +143,6 @@ TEST(ThinParts, WantASurface)
   winding::OrientedPointsView view;
   view.positions = {points.data(), 4};
   view.normals = {points.data(), 4};
-  winding::SerialExecutor serial;
   winding::FieldOptions options;
   options.pointAreaMethod = winding::PointAreaMethod::constant;
   options.pointArea = 1;

@@ -6,7 +6,10 @@
 #include "distance/SampleDistances.h"
 
 #include "support/FieldDistances.h"
+#include "support/Fields.h"
+#include "support/Grids.h"
 #include "support/Interruption.h"
+#include "support/Serial.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +24,6 @@ namespace
 
 using namespace shapes;
 using winding::Extent;
-using winding::Field;
 using winding::Grid;
 using winding::sampleCount;
 using winding::sampleIndex;
@@ -42,10 +44,7 @@ public:
 /// Cubic voxels around and in a sphere of about unit size.
 Grid gridOverASphere()
 {
-  winding::GridRequest request;
-  request.bounds = winding::Bounds(Point(-1.6, -1.5, -1.4), Point(1.3, 1.5, 1.7));
-  request.dimensions = {11, 13, 12};
-  return winding::setUpGrid(request);
+  return gridAround({Point(-1.6, -1.5, -1.4), Point(1.3, 1.5, 1.7)}, {11, 13, 12});
 }
 
 } // namespace
@@ -73,7 +72,6 @@ TEST(DistanceTasks, AreSmallWhereEverythingIsAsNear)
 {
   // All points are as near to all samples, and all samples are one block. Triangles would not do:
   // the few that lie deepest in their sphere are nearest everywhere about its centre.
-  winding::SerialExecutor serial;
   const winding::DistanceTree tree(clean(sphereCloud(80'000)), serial);
   Grid grid;
   grid.dimensions = {16, 16, 16};
@@ -113,7 +111,6 @@ TEST(DistanceTasks, AreSmallWhereEverythingIsAsNear)
 TEST(DistanceTasks, OfEqualSamplesTakeNoLongerThanOfOne)
 {
   // One by one they would take more than a minute, in a task that cannot be interrupted.
-  winding::SerialExecutor serial;
   const winding::DistanceTree tree(clean(sphereCloud(80'000)), serial);
   const std::vector<Point> samples(2'000'000, Point(0, 0, 0));
   Distances found(samples.size());
@@ -126,7 +123,6 @@ TEST(DistanceTasks, OfEqualSamplesTakeNoLongerThanOfOne)
 
 TEST(DistanceTasks, OfEqualSamplesThatAreFewTakeNoLongerThanOfOne)
 {
-  winding::SerialExecutor serial;
   const winding::DistanceTree tree(clean(sphereCloud(80'000)), serial);
   const std::vector<Point> samples(79'000, Point(0, 0, 0));
   Distances found(samples.size());
@@ -140,7 +136,6 @@ TEST(DistanceTasks, OfEqualSamplesThatAreFewTakeNoLongerThanOfOne)
 
 TEST(DistanceTasks, SearchesAreInterruptedWhereverThatComes)
 {
-  winding::SerialExecutor serial;
   const winding::DistanceTree tree(clean(icosphere(5)), serial);
   const std::vector<Point> samples = randomPoints(5000, -1, 1, 76);
   int runs = 0;
@@ -188,9 +183,7 @@ TEST(DistanceTasks, WorkThatTasksLeaveShowsNoProgressOnceMore)
     options.method = winding::Method::direct;
     options.pointAreaMethod = winding::PointAreaMethod::constant;
     options.pointArea = 1;
-    winding::SerialExecutor serial;
-    const auto field =
-      Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, options, serial);
+    const auto field = fieldOf(cloud, options);
     field->prepareDistances(serial);
     Counting executor;
     Distances result(sampleCount(grid.wholeExtent()));

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/Field.h"
 
-#include "base/Bounds.h"
-#include "base/Executor.h"
 #include "base/Views.h"
 #include "support/FieldDistances.h"
+#include "support/Grids.h"
 #include "support/NaiveDistance.h"
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
@@ -34,10 +34,7 @@ using winding::sampleNumber;
 constexpr double rounding = 1e-10;
 Grid gridOver(const Point& low, const Point& high, const Eigen::Vector3i& dimensions)
 {
-  winding::GridRequest request;
-  request.bounds = winding::Bounds(low, high);
-  request.dimensions = dimensions;
-  return winding::setUpGrid(request);
+  return gridAround({low, high}, dimensions);
 }
 
 /// Compares signs with sides, and returns the largest relative error against the naive distance.
@@ -348,14 +345,14 @@ TEST(Distance, ScaleAndPlaceChangeNothing)
   const std::vector<Point> samples = samplesOf(someGrids()[0]);
   for (const double scale : {1e-100, 1e-30, 1e30, 7e99}) // the torus reaches to 1.4
   {
-    const Mesh scaled = mesh.mapped([&](const Point& p) { return Point(scale * p); });
+    const Mesh scaled = mesh.scaled(scale);
     Grid grid = someGrids()[0];
     grid.firstSample *= scale;
     grid.spacing *= scale;
     EXPECT_LT(checkAll(evaluate(*fieldOf(scaled), grid), samplesOf(grid), scaled), rounding);
   }
   const Point far(1e6, -2e6, 3e6); // only the input is rounded there
-  const Mesh moved = mesh.mapped([&](const Point& p) { return Point(p + far); });
+  const Mesh moved = mesh.moved(far);
   Grid grid = someGrids()[0];
   grid.firstSample += far;
   EXPECT_LT(checkAll(evaluate(*fieldOf(moved), grid), samplesOf(grid), moved), rounding);
@@ -423,8 +420,7 @@ TEST(Distance, BandIsThatOfTheUnitOfLength)
 {
   for (const double unit : {1e-6, 1e6})
   {
-    const auto field =
-      fieldOf(icosphere(2).mapped([unit](const Point& p) { return Point(unit * p); }));
+    const auto field = fieldOf(icosphere(2).scaled(unit));
     Grid grid = someGrids()[0];
     grid.firstSample *= unit;
     grid.spacing *= unit;
@@ -448,7 +444,6 @@ TEST(Distance, SignFollowsTheRuleWhateverElseIsWritten)
   const auto field = fieldOf(twice);
   const Grid grid = someGrids()[0];
   const std::size_t count = sampleCount(grid.wholeExtent());
-  winding::SerialExecutor serial;
   for (const auto rule : {winding::InsideRule::signedThreshold,
          winding::InsideRule::absoluteThreshold, winding::InsideRule::odd})
   {
@@ -490,10 +485,9 @@ TEST(Distance, FloatsNeitherVanishNorBecomeInfinite)
   FieldOutput output;
   output.distances = distances.data();
   output.inside = inside.data();
-  winding::SerialExecutor serial;
   for (const double scale : {1e-60, 1e60})
   {
-    const Mesh mesh = icosphere(1).mapped([&](const Point& p) { return Point(scale * p); });
+    const Mesh mesh = icosphere(1).scaled(scale);
     const std::vector<Point> samples = {Point(0, 0, 0), Point(3 * scale, 0, 0)};
     fieldOf(mesh)->evaluate(winding::VectorsView(samples[0].data(), 2), output, serial);
     const float expected =

@@ -3,8 +3,8 @@
 #include "distance/DistanceTree.h"
 #include "distance/NearestKernels.h"
 
-#include "base/Executor.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,6 @@ TEST(DistanceTree, TakesAboutTheMemoryThatIsExpected)
     return static_cast<double>(winding::DistanceTree::bytesFor(areTriangles, count)) /
            static_cast<double>(taken);
   };
-  winding::SerialExecutor serial;
   for (const int levels : {4, 5, 6})
   {
     const winding::Surface surface = clean(icosphere(levels));

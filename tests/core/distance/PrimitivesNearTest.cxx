@@ -45,8 +45,7 @@ TEST(PrimitivesNear, AreThoseThatTheDefinitionFinds)
   // Vertices and points themselves are at no distance, however far from the origin and small.
   for (const double size : {1e-100, 1.0, 5e99})
   {
-    const Mesh scaled =
-      cube({1, 1, 1}, {2, 2, 2}).mapped([&](const Point& p) -> Point { return size * p; });
+    const Mesh scaled = cube({1, 1, 1}, {2, 2, 2}).scaled(size);
     EXPECT_GE(winding::trianglesNear(clean(scaled), scaled.points[0], 0), 3u);
     EXPECT_EQ(winding::trianglesNear(clean(scaled), 1.5 * scaled.points[0], 0.4 * size), 0u);
     EXPECT_EQ(winding::trianglesNear(clean(scaled), 1.5 * scaled.points[0], 0.6 * size), 12u);

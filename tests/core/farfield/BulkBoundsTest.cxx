@@ -10,6 +10,7 @@
 #include "sums/ReferenceSum.h"
 #include "support/Places.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 
 #include <gtest/gtest.h>
 
@@ -18,23 +19,10 @@ namespace
 
 using namespace shapes;
 
-winding::Bounds boundsOf(const std::vector<Point>& points)
-{
-  winding::Bounds bounds;
-  for (const Point& point : points)
-  {
-    bounds.extend(point);
-  }
-  return bounds;
-}
-
 double longest(const winding::Bounds& bounds)
 {
   return bounds.sizes().maxCoeff();
 }
-
-winding::SerialExecutor serial;
-
 } // namespace
 
 TEST(BulkBounds, AreTheBoundsOfWhatHasNoOutliers)

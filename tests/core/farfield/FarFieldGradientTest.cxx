@@ -35,12 +35,6 @@ using namespace shapes;
 using winding::FarField;
 using winding::FarFieldAccuracy;
 
-FarField fieldOf(const FarSource& source, double tolerance = 1e-3)
-{
-  winding::SerialExecutor serial;
-  return {source.sources(), FarFieldAccuracy::of(tolerance), serial};
-}
-
 struct Case
 {
   std::string name;

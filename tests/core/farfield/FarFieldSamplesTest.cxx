@@ -4,6 +4,7 @@
 #include "farfield/TriangleFarField.h"
 #include "support/FarFields.h"
 #include "support/Interruption.h"
+#include "support/Serial.h"
 
 #include "base/FlushToZero.h"
 #include "base/Views.h"
@@ -30,12 +31,6 @@ using winding::FarField;
 using winding::FarFieldAccuracy;
 using winding::Grid;
 
-FarField fieldOf(const FarSource& source, double tolerance = 1e-3)
-{
-  winding::SerialExecutor serial;
-  return {source.sources(), FarFieldAccuracy::of(tolerance), serial};
-}
-
 std::vector<std::unique_ptr<FarSource>> someSources()
 {
   std::vector<std::unique_ptr<FarSource>> sources;
@@ -54,12 +49,11 @@ TEST(FarFieldSamples, HaveTheSameBitsInAnyExtent)
     {60, 60, 36, 36, 49, 49}, {17, 17, 18, 18, 19, 19}};
   for (const auto& source : someSources())
   {
-    const Grid grid = shapes::gridAround(source->bounds(), dimensions);
+    const Grid grid = shapes::gridAround(source->bounds(), dimensions, 0.1);
     for (const double tolerance : {1e-2, 1e-4})
     {
       const FarField field = fieldOf(*source, tolerance);
       const std::vector<float> expected = valuesOn(field, grid);
-      winding::SerialExecutor serial;
       for (const Extent& extent : extents)
       {
         const std::vector<float> values = valuesOn(field, grid, extent, serial);
@@ -82,10 +76,9 @@ TEST(FarFieldSamples, HaveTheSameBitsInSevenPieces)
 {
   for (const auto& source : someSources())
   {
-    const Grid grid = shapes::gridAround(source->bounds(), {40, 33, 47});
+    const Grid grid = shapes::gridAround(source->bounds(), {40, 33, 47}, 0.1);
     const FarField field = fieldOf(*source);
     std::vector<float> joined;
-    winding::SerialExecutor serial;
     for (int piece = 0; piece < 7; ++piece)
     {
       const std::vector<float> values =
@@ -100,7 +93,7 @@ TEST(FarFieldSamples, HaveTheSameBitsOnAnyThreads)
 {
   for (const auto& source : someSources())
   {
-    const Grid grid = shapes::gridAround(source->bounds(), {40, 33, 47});
+    const Grid grid = shapes::gridAround(source->bounds(), {40, 33, 47}, 0.1);
     const std::vector<Point> scattered = randomPoints(3000, -1.5, 1.5, 322);
     const FarField field = fieldOf(*source);
     ShuffledThreads threads(323);
@@ -301,7 +294,6 @@ TEST(FarFieldSamples, OfAnEmptyExtentAreNone)
 {
   const FarField field = fieldOf(*farSource(icosphere(2)));
   const Grid grid = gridOf({-1, -1, -1}, {0.2, 0.2, 0.2}, {11, 11, 11});
-  winding::SerialExecutor serial;
   EXPECT_TRUE(valuesOn(field, grid, {0, 10, 5, 4, 0, 10}, serial).empty());
 }
 
@@ -362,7 +354,6 @@ TEST(FarFieldSamples, MayAllBeInOnePlaceWhereTrianglesMeet)
   const winding::Surface surface = clean(fan);
   const winding::TriangleFarField farField(
     surface.vertices, surface.triangles, surface.bounds, FarFieldAccuracy::of(1e-3));
-  winding::SerialExecutor serial;
   for (const std::size_t count : {1, 5000})
   {
     const std::vector<Point> samples(count, Point(0, 0, 1));
@@ -382,7 +373,6 @@ TEST(FarFieldSamples, AloneLeaveTrianglesAsTheyAre)
   const winding::Surface surface = clean(sphere);
   const winding::TriangleFarField farField(
     surface.vertices, surface.triangles, surface.bounds, FarFieldAccuracy::of(1e-3));
-  winding::SerialExecutor serial;
   const std::vector<Point> samples(2, Point(0.1, 0.2, 0.3));
   const winding::VectorsView one(samples[0].data(), 1), other(samples[1].data(), 1),
     both(samples[0].data(), 2);
@@ -402,7 +392,6 @@ TEST(FarFieldSamples, OfOtherDistancesGetTrianglesCutAnew)
   const winding::Surface surface = clean(sphere);
   const winding::TriangleFarField farField(
     surface.vertices, surface.triangles, surface.bounds, FarFieldAccuracy::of(1e-3));
-  winding::SerialExecutor serial;
   const auto gridOf = [](int voxels)
   {
     Grid grid;

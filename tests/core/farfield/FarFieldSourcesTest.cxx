@@ -4,6 +4,7 @@
 #include "source/SourceTree.h"
 #include "source/Surface.h"
 #include "support/FarFields.h"
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +38,6 @@ std::unique_ptr<FarFieldSources> arranged(const Make& make, winding::Executor& e
 /// the latter in the precision that they are summed in, have the same bits.
 void compareThreads(const Make& make)
 {
-  winding::SerialExecutor serial;
   ShuffledThreads threads(361);
   const auto one = arranged(make, serial), several = arranged(make, threads);
   EXPECT_EQ(one->scale(), several->scale());

@@ -3,6 +3,7 @@
 #include "base/Bounds.h"
 #include "base/Pi.h"
 #include "support/FarFields.h"
+#include "support/Serial.h"
 
 #include <sstream>
 
@@ -66,7 +67,7 @@ struct Case
   Case(std::string title, std::unique_ptr<FarSource> from, const Eigen::Vector3i& dimensions)
     : name(std::move(title))
     , source(std::move(from))
-    , grid(shapes::gridAround(source->bounds(), dimensions))
+    , grid(shapes::gridAround(source->bounds(), dimensions, 0.1))
   {
   }
 
@@ -79,7 +80,6 @@ struct Case
 
   FarField field(double tolerance) const
   {
-    winding::SerialExecutor serial;
     return {source->sources(shapes::boundsOf(grid), isInPieces ? grid.spacing.maxCoeff() : 0),
       FarFieldAccuracy::of(tolerance), serial};
   }
@@ -343,7 +343,6 @@ TEST(FarField, EqualsTheDirectSumBesideASmallSourceAndALargeCell)
   Random random(315);
   for (const double tolerance : tolerances)
   {
-    winding::SerialExecutor serial;
     const FarField field(source->sources(), FarFieldAccuracy::of(tolerance), serial);
     double largest = 0;
     for (int i = 0; i < 100; ++i)
@@ -364,7 +363,6 @@ TEST(FarField, IsZeroWithoutSources)
 {
   const Grid grid = gridOf({-1, -1, -1}, {0.1, 0.1, 0.1}, {19, 20, 21});
   const std::vector<Point> samples = {{0, 0, 0}, {1e200, 0, 0}, {5, 6, 7}};
-  winding::SerialExecutor serial;
   for (const auto& source : {farSource(Mesh()), farSource(Cloud())})
   {
     const FarField field(source->sources(), FarFieldAccuracy::of(1e-3), serial);

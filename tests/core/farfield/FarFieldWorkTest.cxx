@@ -3,6 +3,7 @@
 #include "base/Executor.h"
 #include "base/Views.h"
 #include "support/FarFields.h"
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include <cmath>
@@ -30,7 +31,6 @@ struct Case
 
 std::vector<Case> someCases()
 {
-  winding::SerialExecutor serial;
   std::vector<Case> cases;
   for (const double tolerance : {1e-2, 1e-5})
   {
@@ -40,7 +40,7 @@ std::vector<Case> someCases()
         isCloud ? farSource(randomCloud(3000, 321)) : farSource(icosphere(3).part(0, 900));
       cases.push_back({(isCloud ? "cloud " : "triangles ") + std::to_string(tolerance),
         FarField(source->sources(), FarFieldAccuracy::of(tolerance), serial),
-        shapes::gridAround(source->bounds(), {61, 37, 50})});
+        shapes::gridAround(source->bounds(), {61, 37, 50}, 0.1)});
     }
   }
   return cases;
@@ -74,7 +74,6 @@ TEST(FarFieldWork, IsTheSameOnAnyThreads)
   for (const Case& one : someCases())
   {
     SCOPED_TRACE(one.name);
-    winding::SerialExecutor serial;
     const FarFieldWork expected = workOn(one, one.grid.wholeExtent(), serial);
     ShuffledThreads threads(7);
     EXPECT_TRUE(workOn(one, one.grid.wholeExtent(), threads) == expected);
@@ -85,7 +84,6 @@ TEST(FarFieldWork, IsTheSameOnAnyThreads)
 
 TEST(FarFieldWork, DeliversEverySampleOnce)
 {
-  winding::SerialExecutor serial;
   for (const Case& one : someCases())
   {
     SCOPED_TRACE(one.name);
@@ -103,7 +101,6 @@ TEST(FarFieldWork, AddsUp)
   for (const Case& one : someCases())
   {
     SCOPED_TRACE(one.name);
-    winding::SerialExecutor serial;
     const FarFieldWork work = workOn(one, one.grid.wholeExtent(), serial);
     for (const auto count : winding::farFieldCounts)
     {
@@ -137,11 +134,10 @@ TEST(FarFieldWork, IsThatOfTheParametersOfEachTolerance)
   const Expected table[] = {{1e-2, 186678, 794368, 24634560, 16364488},
     {1e-3, 262716, 320, 43774656, 21661056}, {1e-4, 795803, 704, 82080520, 35003488},
     {1e-5, 456902, 3712, 85713728, 33847760}, {1e-6, 451031, 2112, 88180672, 38439496}};
-  winding::SerialExecutor serial;
   const auto workWith = [&](const FarSource& source, int voxels, const FarFieldAccuracy& accuracy)
   {
     const Case one = {"", FarField(source.sources(), accuracy, serial),
-      shapes::gridAround(source.bounds(), {voxels, voxels, voxels})};
+      shapes::gridAround(source.bounds(), {voxels, voxels, voxels}, 0.1)};
     return workOn(one, one.grid.wholeExtent(), serial);
   };
   // Rounding of other instruction sets moves the border between near and far a little.
@@ -175,7 +171,6 @@ TEST(FarFieldWork, IsThatOfTheParametersOfEachTolerance)
 
 TEST(FarFieldWork, IsNoneOverSourcesWithoutSources)
 {
-  winding::SerialExecutor serial;
   const Case empty = {"",
     FarField(farSource(Cloud())->sources(), FarFieldAccuracy::of(1e-3), serial),
     gridOf({-1, -1, -1}, {0.1, 0.1, 0.1}, {19, 20, 21})};

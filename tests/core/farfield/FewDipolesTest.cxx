@@ -4,6 +4,7 @@
 #include "farfield/Expansions.h"
 #include "farfield/FarFieldTree.h"
 #include "sums/ReferenceSum.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +56,6 @@ TEST(FewDipoles, AreLeftOutByLittleMoreThanTheirNodeMayErr)
 {
   SCOPED_TRACE("seed 391");
   constexpr int clouds = 5000, directions = 8;
-  winding::SerialExecutor serial;
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
   {
     const winding::FarFieldAccuracy accuracy = winding::FarFieldAccuracy::of(tolerance);

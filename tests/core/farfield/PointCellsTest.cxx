@@ -4,22 +4,19 @@
 
 #include "base/Views.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <map>
 #include <set>
 
 namespace
 {
-
-winding::SerialExecutor serial;
-
 using shapes::Point;
-using shapes::Random;
+using shapes::serial;
 using winding::PointCells;
 using winding::TargetBlock;
 using winding::TargetCell;

@@ -6,6 +6,7 @@
 #include "farfield/Expansions.h"
 #include "source/Surface.h"
 #include "support/FarFields.h"
+#include "support/Serial.h"
 
 #include <algorithm>
 
@@ -76,9 +77,6 @@ struct Errors
   double moments = 0; ///< largest error, relative to the sum of the dipoles' absolute values
   double reach = 0;   ///< largest distance of a dipole from the centre over the radius
 };
-
-winding::SerialExecutor serial;
-
 /// Compares the moments of all nodes with the sums over the dipoles of all of their items.
 Errors compare(FarFieldSources& sources, const Items& items, int order, std::size_t leafSize)
 {
@@ -144,9 +142,7 @@ TEST_P(SourceMomentsOfOrder, OfTrianglesAreTheirIntegrals)
   SCOPED_TRACE("seed 353");
   for (const double scale : {1e-30, 1.0, 1e30})
   {
-    const Mesh mesh = triangleSoup(40, 353)
-                        .with(tetrahedron())
-                        .mapped([scale](const Point& p) -> Point { return scale * p; });
+    const Mesh mesh = triangleSoup(40, 353).with(tetrahedron()).scaled(scale);
     const winding::Surface surface = clean(mesh);
     const auto sources =
       winding::farFieldSources(surface.vertices, surface.triangles, surface.bounds, {}, serial);

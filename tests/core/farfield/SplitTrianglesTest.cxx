@@ -5,6 +5,7 @@
 #include "base/Bounds.h"
 #include "source/Surface.h"
 #include "sums/SolidAngle.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -116,7 +117,6 @@ TEST(SplitTriangles, StayWholeWhereTheyAreSmallOrFar)
   const winding::Surface surface = clean(icosphere(2));
   const auto isWhole = [&](const SplitRule& rule)
   {
-    winding::SerialExecutor serial;
     const bool leaves = winding::leavesWhole(rule, surface.vertices, surface.triangles, serial);
     EXPECT_EQ(leaves, piecesOf(surface, rule) == trianglesOf(surface));
     return leaves;

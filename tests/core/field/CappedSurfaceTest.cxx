@@ -6,7 +6,10 @@
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
 #include "sums/ReferenceSum.h"
+#include "support/Fields.h"
+#include "support/Grids.h"
 #include "support/RowValues.h"
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include "field/Field.h"
@@ -30,7 +33,6 @@ std::vector<double> valuesOn(const CappedSurface& capped, const Grid& grid, cons
   std::vector<double> values(winding::sampleCount(extent), std::nan(""));
   FieldOutput output;
   output.doubleValues = values.data();
-  winding::SerialExecutor serial;
   capped.evaluate(grid, extent, output, serial);
   return values;
 }
@@ -38,7 +40,6 @@ std::vector<double> valuesOn(const CappedSurface& capped, const Grid& grid, cons
 std::vector<double> valuesOn(const Mesh& mesh, const Grid& grid)
 {
   const winding::Surface surface = clean(mesh);
-  winding::SerialExecutor serial;
   return valuesOn({surface, boundaryOf(surface), 0, serial}, grid, grid.wholeExtent());
 }
 
@@ -47,19 +48,8 @@ std::vector<double> valuesAt(const CappedSurface& capped, const std::vector<Poin
   std::vector<double> values(samples.size(), std::nan(""));
   FieldOutput output;
   output.doubleValues = values.data();
-  winding::SerialExecutor serial;
   capped.evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, serial);
   return values;
-}
-
-std::vector<Point> samplesOf(const Grid& grid)
-{
-  std::vector<Point> samples;
-  for (std::size_t n = 0; n < winding::sampleCount(grid.wholeExtent()); ++n)
-  {
-    samples.push_back(grid.sample(n));
-  }
-  return samples;
 }
 
 /// The largest difference to the direct sum among the samples that are not on the surface, on the
@@ -68,7 +58,6 @@ double largestError(const Mesh& mesh, const Grid& grid)
 {
   const winding::Surface surface = clean(mesh);
   const std::vector<double> values = valuesOn(mesh, grid);
-  winding::SerialExecutor serial;
   const std::vector<double> scattered =
     valuesAt({surface, boundaryOf(surface), 0, serial}, samplesOf(grid));
   const winding::TriangleSum sum(surface);
@@ -264,7 +253,6 @@ TEST(CappedSurface, EqualsTheDirectSumBesideCapsOfAnyDirection)
     const Point away = random.point(-1, 1) * (i % 3 == 0 ? 1e3 : 1);
     const Mesh mesh = openCube().mapped([&](const Point& p) -> Point { return turn * p + away; });
     const winding::Surface surface = clean(mesh);
-    winding::SerialExecutor serial;
     const CappedSurface capped(surface, boundaryOf(surface), 0, serial);
     // The middle sample of the grid is a point of the missing face.
     const Point on = turn * Point{random(0.1, 0.9), random(0.1, 0.9), 1} + away;
@@ -290,7 +278,6 @@ TEST(CappedSurface, KeepsToleranceAtScatteredSamplesByAFarFieldOfTheCap)
   samples.emplace_back(1e5, 0, 1);
   samples.emplace_back(std::nan(""), 0, 0);
   samples.emplace_back(0, std::numeric_limits<double>::infinity(), 0);
-  winding::SerialExecutor serial;
   const std::vector<double> exact = valuesAt({surface, chain, 0, serial}, samples);
   for (const double tolerance : {1e-2, 1e-3, 1e-5})
   {
@@ -320,7 +307,6 @@ TEST(CappedSurface, KeepsToleranceInThePlaneOfALargeHole)
     profile.push_back({i == 0 ? 0 : std::sin(angle), i == 20 ? 0 : -std::cos(angle)});
   }
   const winding::Surface surface = clean(lathe(profile, 500));
-  winding::SerialExecutor serial;
   ShuffledThreads threads(7);
   const CappedSurface capped(
     surface, boundaryOf(surface), tolerance, serial, CappedSurface::CapSum::farField);
@@ -365,7 +351,6 @@ TEST(CappedSurface, AtASampleAloneHasTheBitsThatItHasAmongOthers)
 {
   const Mesh mesh = damaged(icosphere(2), 0.2, 13);
   const winding::Surface surface = clean(mesh);
-  winding::SerialExecutor serial;
   const CappedSurface capped(surface, boundaryOf(surface), 0, serial);
   std::vector<Point> samples = randomPoints(300, -1.2, 1.2, 14);
   samples.insert(samples.end(), surface.vertices.begin(), surface.vertices.end());
@@ -381,7 +366,6 @@ TEST(CappedSurface, IsAnIntegerEverywhereIfClosed)
   for (const Mesh& mesh : {cube(), icosphere(2), torus(12, 8), icosphere(1).with(icosphere(1))})
   {
     const winding::Surface surface = clean(mesh);
-    winding::SerialExecutor serial;
     const CappedSurface capped(surface, boundaryOf(surface), 0, serial);
     EXPECT_EQ(capped.capTriangles(), 0u);
     const Grid grid = gridAround(mesh, 16);
@@ -396,7 +380,6 @@ TEST(CappedSurface, KeepsToleranceOnGridsHoweverFarTheyReach)
 {
   SCOPED_TRACE("seed 146");
   const winding::Surface surface = clean(damaged(icosphere(3), 0.3, 146));
-  winding::SerialExecutor serial;
   const CappedSurface capped(
     surface, boundaryOf(surface), 1e-3, serial, CappedSurface::CapSum::farField);
   for (const double far : {1e2, 1e6, 1e10, 1e14, 1e20, 1e40, 1e80})
@@ -428,7 +411,6 @@ TEST(CappedSurface, ClassifiesWithoutTheValuesAsWithThem)
   for (const Mesh& mesh : {icosphere(2), damaged(icosphere(2), 0.1, 144), openCube().reversed()})
   {
     const winding::Surface surface = clean(mesh);
-    winding::SerialExecutor serial;
     const CappedSurface capped(surface, boundaryOf(surface), 0, serial);
     const Grid grid = gridAround(mesh, 12);
     const std::size_t count = winding::sampleCount(grid.wholeExtent());
@@ -457,7 +439,6 @@ TEST(CappedSurface, HasTheSameBitsInAnyPiecesAndOnAnyThreads)
   SCOPED_TRACE("seed 145");
   const Mesh mesh = damaged(torus(24, 12), 0.1, 145).with(openCube());
   const winding::Surface surface = clean(mesh);
-  winding::SerialExecutor serial;
   const CappedSurface capped(surface, boundaryOf(surface), 0, serial);
   const Grid grid = gridOf({-1.5, -1.5, -0.5}, {0.125, 0.125, 0.125}, {26, 25, 14});
   const Extent whole = grid.wholeExtent();
@@ -487,7 +468,7 @@ TEST(CappedSurface, DoesNotDependOnTheUnitOfLengthOrTheDistanceFromTheOrigin)
   const Mesh mesh = damaged(icosphere(2), 0.1, 146);
   for (const double scale : {1e-30, 1e-6, 1e6, 1e30})
   {
-    const Mesh scaled = mesh.mapped([&](const Point& p) -> Point { return scale * p; });
+    const Mesh scaled = mesh.scaled(scale);
     EXPECT_LT(largestError(scaled, gridAround(scaled, 12)), 1e-12) << scale;
   }
   // The meshes lie about a million diagonals away, and the last grid has samples on the open cube's
@@ -495,7 +476,7 @@ TEST(CappedSurface, DoesNotDependOnTheUnitOfLengthOrTheDistanceFromTheOrigin)
   const Point away(3e6, -2e6, 1e6);
   for (const Mesh& source : {mesh, openCube()})
   {
-    const Mesh moved = source.mapped([&](const Point& p) -> Point { return p + away; });
+    const Mesh moved = source.moved(away);
     EXPECT_LT(largestError(moved, gridAround(moved, 12)), 1e-9);
     const Grid grid = gridOf(away - Point::Constant(0.25), Point::Constant(0.125), {13, 13, 13});
     EXPECT_LT(largestError(moved, grid), 1e-9);
@@ -515,10 +496,7 @@ TEST(CappedSurface, EqualsTheDirectSumNextToTheHolesOfAWafer)
     {
       samples[i][1] = i % 3 == 0 ? 4e-9 : i % 3 == 1 ? -3e-9 : 1e-7;
     }
-    winding::SerialExecutor serial;
-    winding::FieldOptions options;
-    options.method = winding::Method::rows;
-    const auto field = winding::Field::build({wafer.view()}, options, serial);
+    const auto field = fieldOf(wafer, winding::Method::rows);
     std::vector<double> found(samples.size());
     winding::FieldOutput output;
     output.doubleValues = found.data();

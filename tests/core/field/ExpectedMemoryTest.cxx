@@ -2,28 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "farfield/FarFieldChoice.h"
 #include "field/Field.h"
+#include "support/Fields.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 
-#include <vector>
 
 namespace
 {
 
 using namespace shapes;
 using winding::Field;
-using winding::FieldOptions;
 using winding::Method;
-
-std::shared_ptr<const Field> fieldOf(const Mesh& mesh, Method method, bool isScattered = false)
-{
-  winding::SerialExecutor serial;
-  FieldOptions options;
-  options.method = method;
-  options.scattered = isScattered;
-  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
-}
 
 TEST(ExpectedMemory, HasTreesAndCapsInAddition)
 {

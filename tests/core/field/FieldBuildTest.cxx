@@ -7,8 +7,10 @@
 #include "base/Views.h"
 #include "cloud/PointAreas.h"
 #include "sums/ReferenceSum.h"
+#include "support/Fields.h"
 #include "support/Named.h"
 #include "support/Places.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -32,26 +34,11 @@ using winding::Method;
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
-std::shared_ptr<const Field> fieldOf(const Mesh& mesh, Method method = Method::automatic)
-{
-  FieldOptions options;
-  options.method = method;
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
-}
-
-std::shared_ptr<const Field> fieldOf(const Cloud& cloud, const FieldOptions& options = {})
-{
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, options, serial);
-}
-
 double valueAt(const Field& field, const Point& sample)
 {
   double value = notANumber;
   FieldOutput output;
   output.doubleValues = &value;
-  winding::SerialExecutor serial;
   field.evaluate(winding::VectorsView(sample.data(), 1), output, serial);
   return value;
 }
@@ -62,7 +49,6 @@ void expectRefused(const Source& source, const FieldOptions& options, const std:
 {
   try
   {
-    winding::SerialExecutor serial;
     Field::build(std::vector<decltype(source.view())>{source.view()}, options, serial);
     FAIL() << "not refused";
   }
@@ -171,7 +157,6 @@ TEST(Field, TakesTheAreasOfACloudFromTheCloudOrTheOptionsOrEstimatesThem)
   const double area = 4 * winding::pi / 1000;
   FieldOptions options;
   options.tolerance = 0;
-  winding::SerialExecutor serial;
   const std::vector<double> cells =
     winding::voronoiAreas(clean(cloud), placesOf(clean(cloud).positions), 20, serial);
   const auto voronoi = fieldOf(cloud, options);
@@ -257,7 +242,6 @@ TEST(FieldReference, IsTheReferenceSum)
   const Cloud cloud = sphereCloud(100);
   const auto surfaceField = fieldOf(mesh);
   const auto cloudField = fieldOf(cloud);
-  winding::SerialExecutor serial;
   const std::vector<double> areas =
     winding::voronoiAreas(clean(cloud), placesOf(clean(cloud).positions), 20, serial);
   for (const Point& q : randomPoints(20, -1, 1, 112))

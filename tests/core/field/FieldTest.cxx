@@ -2,21 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/Field.h"
 
-#include "base/Bounds.h"
 #include "base/Executor.h"
 #include "base/Refusal.h"
 #include "base/Views.h"
 #include "cloud/PointAreas.h"
 #include "sums/ReferenceSum.h"
+#include "support/Fields.h"
+#include "support/Grids.h"
 #include "support/Interruption.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace
 {
@@ -24,51 +23,13 @@ namespace
 using namespace shapes;
 using winding::Extent;
 using winding::Field;
-using winding::FieldOptions;
 using winding::FieldOutput;
 using winding::Grid;
 using winding::Method;
 
-std::shared_ptr<const Field> fieldOf(const Mesh& mesh, Method method = Method::automatic)
-{
-  FieldOptions options;
-  options.method = method;
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
-}
-
-std::shared_ptr<const Field> fieldOf(const Cloud& cloud, const FieldOptions& options = {})
-{
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, options, serial);
-}
-
 Grid someGrid()
 {
-  winding::GridRequest request;
-  request.bounds = winding::Bounds(Point(-1.5, -1.4, -1.3), Point(1.5, 1.4, 1.3));
-  request.resolution = 21;
-  return winding::setUpGrid(request);
-}
-
-std::vector<double> valuesOn(
-  const Field& field, const Grid& grid, const Extent& extent, winding::Executor& executor)
-{
-  std::vector<double> values(winding::sampleCount(extent));
-  FieldOutput output;
-  output.doubleValues = values.data();
-  field.evaluate(grid, extent, output, executor);
-  return values;
-}
-
-std::vector<double> valuesAt(const Field& field, const std::vector<Point>& samples)
-{
-  std::vector<double> values(samples.size());
-  FieldOutput output;
-  output.doubleValues = values.data();
-  winding::SerialExecutor serial;
-  field.evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, serial);
-  return values;
+  return gridAround({Point(-1.5, -1.4, -1.3), Point(1.5, 1.4, 1.3)}, 21);
 }
 
 std::vector<std::shared_ptr<const Field>> someFields()
@@ -83,7 +44,6 @@ TEST(Field, HasTheSameBitsInAnyPieces)
 {
   const Grid grid = someGrid();
   const Extent whole = grid.wholeExtent();
-  winding::SerialExecutor serial;
   for (const auto& field : someFields())
   {
     const std::vector<double> expected = valuesOn(*field, grid, whole, serial);
@@ -104,7 +64,6 @@ TEST(Field, HasTheSameBitsOnAnyThreadsInAnyOrder)
 {
   SCOPED_TRACE("seeds 101, 102");
   const Grid grid = someGrid();
-  winding::SerialExecutor serial;
   ShuffledThreads one(101), other(102);
   for (const auto& field : someFields())
   {
@@ -118,7 +77,6 @@ TEST(Field, HasTheSameValuesAtScatteredSamples)
 {
   const Grid grid = someGrid();
   const Extent extent = {2, 9, 3, 12, 5, 6};
-  winding::SerialExecutor serial;
   std::vector<Point> samples;
   std::vector<float> strided;
   for (std::size_t n = 0; n < winding::sampleCount(extent); ++n)
@@ -159,7 +117,6 @@ TEST(Field, TakesSamplesOfAnyTypeAndStride)
   std::vector<double> values(100);
   FieldOutput output;
   output.doubleValues = values.data();
-  winding::SerialExecutor serial;
   field->evaluate(winding::VectorsView(strided.data(), 100, 5), output, serial);
   EXPECT_EQ(values, valuesAt(*field, samples));
 }
@@ -186,7 +143,6 @@ TEST(Field, DecidesInsideOnTheStoredValue)
   const std::vector<Point> samples(1000, Point(0.5, 0.5, 0.5));
   const std::vector<double> exact = valuesAt(*field, samples);
   const winding::VectorsView view(samples[0].data(), samples.size());
-  winding::SerialExecutor serial;
   std::vector<float> floats(1000);
   std::vector<double> doubles(1000);
   std::vector<unsigned char> inside(1000);
@@ -210,7 +166,6 @@ TEST(Field, AppliesTheInsideRule)
   const auto field = fieldOf(cube().reversed());
   const std::vector<Point> samples = {{0.5, 0.5, 0.5}, {2, 2, 2}};
   const winding::VectorsView view(samples[0].data(), samples.size());
-  winding::SerialExecutor serial;
   std::vector<unsigned char> inside(2);
   FieldOutput output;
   output.inside = inside.data();

@@ -8,7 +8,9 @@
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
 #include "sums/ReferenceSum.h"
+#include "support/Fields.h"
 #include "support/Interruption.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 #include "surface/BoundaryGradient.h"
@@ -28,44 +30,8 @@ namespace
 
 using namespace shapes;
 using winding::Field;
-using winding::FieldOptions;
 using winding::Method;
 using Long = Eigen::Matrix<long double, 3, 1>;
-
-FieldOptions optionsOf(Method method)
-{
-  FieldOptions options;
-  options.method = method;
-  return options;
-}
-
-std::shared_ptr<const Field> fieldOf(const Mesh& mesh, Method method)
-{
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, optionsOf(method), serial);
-}
-
-std::shared_ptr<const Field> fieldOf(const Cloud& cloud, Method method)
-{
-  winding::SerialExecutor serial;
-  return Field::build(
-    std::vector<winding::OrientedPointsView>{cloud.view()}, optionsOf(method), serial);
-}
-
-std::vector<Point> gradientsAt(
-  const Field& field, const std::vector<Point>& samples, winding::Executor& executor)
-{
-  std::vector<Point> gradients(samples.size(), Point(-99, -99, -99));
-  field.gradient(
-    winding::VectorsView(samples[0].data(), samples.size()), gradients[0].data(), executor);
-  return gradients;
-}
-
-std::vector<Point> gradientsAt(const Field& field, const std::vector<Point>& samples)
-{
-  winding::SerialExecutor serial;
-  return gradientsAt(field, samples, serial);
-}
 
 std::vector<std::shared_ptr<const Field>> someFields()
 {
@@ -250,7 +216,6 @@ TEST(Gradient, TakesSamplesOfAnyTypeAndStride)
       samples.push_back({x, y, z});
     }
     std::vector<Point> gradients(100);
-    winding::SerialExecutor serial;
     field->gradient(winding::VectorsView(strided.data(), 100, 5), gradients[0].data(), serial);
     EXPECT_EQ(gradients, gradientsAt(*field, samples));
   }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field/InputPlaces.h"
 
-#include "base/Executor.h"
 #include "support/NaiveDistance.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
@@ -30,7 +30,6 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 std::vector<InputPlace> placesOf(const InputPlaces& input, const std::vector<Point>& samples)
 {
-  winding::SerialExecutor serial;
   std::vector<InputPlace> places(samples.size());
   input.find(
     samples.size(), [&](std::size_t n) { return samples[n]; }, places.data(), serial);
@@ -40,7 +39,6 @@ std::vector<InputPlace> placesOf(const InputPlaces& input, const std::vector<Poi
 std::vector<InputPlace> placesOf(
   const std::vector<TrianglesView>& views, const std::vector<Point>& samples)
 {
-  winding::SerialExecutor serial;
   return placesOf(InputPlaces(views, "", serial), samples);
 }
 
@@ -145,7 +143,7 @@ TEST(InputPlaces, AreTheSameByThreadsInAnyOrderAndAtAnyScale)
   const std::vector<InputPlace> reversed = placesOf({mesh.view()}, backward);
   for (const double factor : {0x1p-300, 0x1p300})
   {
-    const Mesh scaled = mesh.mapped([factor](const Point& p) { return Point(factor * p); });
+    const Mesh scaled = mesh.scaled(factor);
     std::vector<Point> moved;
     for (const Point& sample : samples)
     {
@@ -241,9 +239,7 @@ TEST(InputPlaces, OfMirroredSourcesLieInTheInput)
 {
   SCOPED_TRACE("seed 913");
   Random random(913);
-  const Mesh quarter =
-    torus(24, 12).mapped([](const Point& p) { return Point(p + Point(2, 2, 0)); });
-  winding::SerialExecutor serial;
+  const Mesh quarter = torus(24, 12).moved({2, 2, 0});
   const InputPlaces input({quarter.view()}, "x=0 y=0", serial);
   for (int n = 0; n < 300; ++n)
   {
@@ -262,7 +258,6 @@ TEST(InputPlaces, OfRowsLieInTheInput)
 {
   // Four cubes in a row along x, made by parallel planes.
   const Mesh mesh = cube();
-  winding::SerialExecutor serial;
   const InputPlaces input({mesh.view()}, "x=0 x=1", serial);
   const Point own(0.25, 0.375, 1.5);
   const auto expected = placesOf(input, {own}).front();
@@ -281,7 +276,6 @@ TEST(InputPlaces, OfCloudsAreTheirNearestPoints)
   Cloud cloud = randomCloud(500, 914);
   cloud.positions.resize(550, cloud.positions[3]);
   cloud.normals.resize(550, cloud.normals[3]);
-  winding::SerialExecutor serial;
   const InputPlaces input({cloud.view()}, "", serial);
   for (int n = 0; n < 500; ++n)
   {
@@ -300,7 +294,6 @@ TEST(InputPlaces, OfAllThatIsEquallyNearTheFirstCounts)
   Cloud cloud;
   cloud.positions = icosphere(5).points;
   cloud.normals = cloud.positions;
-  winding::SerialExecutor serial;
   const InputPlaces input({cloud.view()}, "", serial);
   EXPECT_EQ(placesOf(input, {Point(0, 0, 0)}).front().primitive, 0u);
 }

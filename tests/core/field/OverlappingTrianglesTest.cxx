@@ -7,8 +7,10 @@
 #include "farfield/TriangleFarField.h"
 #include "field/Field.h"
 #include "source/Sanitize.h"
+#include "support/Fields.h"
 #include "support/HostileSoups.h"
 #include "support/Interruption.h"
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
@@ -28,41 +30,11 @@ namespace
 
 using namespace shapes;
 using winding::Field;
-using winding::FieldOptions;
 using winding::FieldOutput;
 using winding::Grid;
 using winding::Method;
 
 constexpr std::size_t triangles = 1500;
-
-std::shared_ptr<const Field> fieldOf(const Mesh& mesh, Method method, bool scattered)
-{
-  FieldOptions options;
-  options.method = method;
-  options.scattered = scattered;
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
-}
-
-std::vector<double> valuesOn(const Field& field, const Grid& grid)
-{
-  winding::SerialExecutor serial;
-  std::vector<double> values(winding::sampleCount(grid.wholeExtent()));
-  FieldOutput output;
-  output.doubleValues = values.data();
-  field.evaluate(grid, grid.wholeExtent(), output, serial);
-  return values;
-}
-
-std::vector<double> valuesAt(const Field& field, const std::vector<Point>& samples)
-{
-  winding::SerialExecutor serial;
-  std::vector<double> values(samples.size());
-  FieldOutput output;
-  output.doubleValues = values.data();
-  field.evaluate(winding::VectorsView(samples.data()->data(), samples.size()), output, serial);
-  return values;
-}
 
 } // namespace
 
@@ -74,7 +46,6 @@ TEST_P(OverlappingTriangles, TakeNoMorePairsThanTheDirectSum)
 {
   const winding::Surface surface = clean(GetParam().second);
   const winding::FarFieldAccuracy accuracy = winding::FarFieldAccuracy::of(1e-3);
-  winding::SerialExecutor serial;
   for (const int resolution : {10, 24, 40})
   {
     SCOPED_TRACE(resolution);
@@ -99,7 +70,6 @@ TEST_P(OverlappingTriangles, TakeNoMoreVectorsThanTheDirectSumAtScatteredSamples
   const winding::Surface surface = clean(GetParam().second);
   const winding::FarFieldAccuracy accuracy = winding::FarFieldAccuracy::of(1e-3);
   const winding::TriangleFarField farField(surface.vertices, surface, surface.bounds, accuracy);
-  winding::SerialExecutor serial;
   for (const std::size_t count : {300, 2000, 20000})
   {
     SCOPED_TRACE(count);
@@ -130,7 +100,6 @@ TEST_P(OverlappingTriangles, TellOfAnInterruptAnywhere)
   std::vector<double> values(samples.size());
   FieldOutput output;
   output.doubleValues = values.data();
-  winding::SerialExecutor serial;
   const auto suiting = farField.suiting(view, serial);
   int runs = 0;
   for (bool wasInterrupted = true; wasInterrupted; ++runs)

@@ -6,6 +6,7 @@
 #include "source/Sanitize.h"
 #include "source/Surface.h"
 #include "support/Interruption.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 #include "surface/Boundary.h"
@@ -157,7 +158,6 @@ void expectSame(const winding::BoundaryChain& found, const winding::BoundaryChai
 /// boundary.
 void expectTheSameForAllExecutors(const Views& views, unsigned seed)
 {
-  winding::SerialExecutor serial;
   ShuffledThreads threads(seed);
   const Surface expected = sanitizedByDefinition(views);
   const Surface surface = sanitized(views, serial);

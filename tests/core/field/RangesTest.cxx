@@ -5,13 +5,13 @@
 #include "field/Field.h"
 #include "source/Grid.h"
 #include "support/RowValues.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,7 +43,7 @@ class Sources
 public:
   void addMeshes(const std::string& name, const Mesh& mesh, double size)
   {
-    const Mesh scaled = mesh.mapped([size](const Point& p) -> Point { return size * p; });
+    const Mesh scaled = mesh.scaled(size);
     for (const Method method :
       {Method::automatic, Method::rows, Method::hierarchical, Method::direct, Method::parity})
     {
@@ -91,7 +91,6 @@ private:
   void add(const std::string& name, const std::vector<View>& views, const FieldOptions& options,
     double size)
   {
-    winding::SerialExecutor serial;
     try
     {
       cases_.push_back({name, Field::build(views, options, serial), size});
@@ -185,7 +184,6 @@ struct Results
 
 TEST(Ranges, ScatteredSamplesGetFiniteNumbersAndFarOnesNothing)
 {
-  winding::SerialExecutor serial;
   for (const Case& one : someCases())
   {
     SCOPED_TRACE(one.name + " of size " + std::to_string(std::log10(one.size)));
@@ -212,7 +210,6 @@ TEST(Ranges, ScatteredSamplesGetFiniteNumbersAndFarOnesNothing)
 
 TEST(Ranges, GridsGetFiniteNumbers)
 {
-  winding::SerialExecutor serial;
   for (const Case& one : someCases())
   {
     if (one.field->info().isScattered)

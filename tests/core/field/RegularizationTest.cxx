@@ -8,6 +8,8 @@
 #include "sums/ReferenceSum.h"
 #include "sums/SolidAngle.h"
 #include "support/FarFields.h"
+#include "support/Fields.h"
+#include "support/Serial.h"
 
 #include <gtest/gtest.h>
 
@@ -136,12 +138,6 @@ std::vector<Point> samplesOf(const Case& one, unsigned seed)
 double reference(const Case& one, const Point& q)
 {
   return static_cast<double>(winding::referenceSum<long double>(one.cloud, one.areas, q));
-}
-
-std::shared_ptr<const Field> fieldOf(const Cloud& cloud, const FieldOptions& options)
-{
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, options, serial);
 }
 
 } // namespace
@@ -419,7 +415,6 @@ TEST(RegularizedFarField, EqualsTheDirectSumAtScatteredSamples)
     const std::vector<Point> samples = samplesOf(*one.source, 939);
     for (const double tolerance : tolerances)
     {
-      winding::SerialExecutor serial;
       const FarField field(one.source->sources(), FarFieldAccuracy::of(tolerance), serial);
       const double error = largestError(*one.source, samples, valuesAt(field, samples)) / tolerance;
       std::ostringstream name;
@@ -446,7 +441,6 @@ TEST(RegularizedFarField, EqualsTheDirectSumOnGrids)
     }
     for (const double tolerance : tolerances)
     {
-      winding::SerialExecutor serial;
       const FarField field(one.source->sources(), FarFieldAccuracy::of(tolerance), serial);
       const std::vector<float> all = valuesOn(field, grid);
       std::vector<float> values;
@@ -473,7 +467,6 @@ TEST(RegularizedFarField, HasGradientsWithinAFewTolerancesOverTheDistance)
     const std::vector<double> strengths = one.source->strengths(samples);
     for (const double tolerance : tolerances)
     {
-      winding::SerialExecutor serial;
       const FarField field(one.source->sources(), FarFieldAccuracy::of(tolerance), serial);
       const std::vector<Point> gradients = gradientsAt(field, samples);
       double largest = 0;
@@ -510,7 +503,6 @@ TEST(RegularizedField, HasLengthsInUnitsOfTheSpacing)
     std::vector<double> values(samples.size());
     winding::FieldOutput output;
     output.doubleValues = values.data();
-    winding::SerialExecutor serial;
     field->evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, serial);
     for (std::size_t i = 0; i < samples.size(); ++i)
     {

@@ -3,8 +3,11 @@
 #include "field/Field.h"
 
 #include "source/MeshVertices.h"
+#include "support/Fields.h"
 #include "support/HostileSoups.h"
 #include "support/LatticeChain.h"
+#include "support/Samples.h"
+#include "support/Serial.h"
 #include "support/Shuffled.h"
 #include "support/ShuffledThreads.h"
 
@@ -81,16 +84,6 @@ Grid gridOver(const winding::Bounds& bounds, int samples)
   return grid;
 }
 
-winding::Bounds boundsOf(const std::vector<Point>& points)
-{
-  winding::Bounds bounds;
-  for (const Point& point : points)
-  {
-    bounds.extend(point);
-  }
-  return bounds;
-}
-
 /// Compares the fields of a mesh by all methods with the fields of the same triangles written in
 /// other ways.
 void checkMesh(const Mesh& mesh, const Grid& grid, unsigned seed)
@@ -116,10 +109,7 @@ void checkMesh(const Mesh& mesh, const Grid& grid, unsigned seed)
       FieldOptions options;
       options.method = method;
       options.tolerance = tolerance;
-      winding::SerialExecutor serial;
-      const Numbers expected(
-        *winding::Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial),
-        grid, samples, serial);
+      const Numbers expected(*fieldOf(mesh, options), grid, samples, serial);
       ShuffledThreads threads(seed);
       const Mesh other = shuffled(mesh, below);
       expectSameBits(Numbers(*winding::Field::build(
@@ -257,7 +247,6 @@ TEST(ShuffledSources, CloudsHaveTheSameBits)
       view.areas = {withAreas.data(), withAreas.size()};
       return view;
     };
-    winding::SerialExecutor serial;
     ShuffledThreads threads(seed);
     const Numbers expected(
       *winding::Field::build({viewOf(cloud, areas)}, options, serial), grid, samples, serial);
@@ -283,7 +272,6 @@ TEST(ShuffledSources, VerticesOfMeshesHaveTheSameNormalsAndAreas)
     std::rotate(
       triangle.begin(), triangle.begin() + static_cast<std::ptrdiff_t>(below(3)), triangle.end());
   }
-  winding::SerialExecutor serial;
   const winding::MeshVertices expected =
     winding::meshVertices({mesh.view()}, mesh.points.size(), serial);
   const winding::MeshVertices found =

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/Executor.h"
 #include "base/FieldOutput.h"
 #include "base/Views.h"
 #include "field/Field.h"
 #include "source/Grid.h"
 #include "support/HostileSoups.h"
+#include "support/Serial.h"
 #include "support/ThreadSeconds.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,6 @@ Seconds secondsOf(const Case& one)
 {
   const Mesh mesh = one.mesh();
   const std::vector<winding::TrianglesView> views = {mesh.view()};
-  winding::SerialExecutor serial;
   const winding::Bounds bounds = Field::build(views, FieldOptions(), serial)->info().bounds;
   const Grid grid = gridAround(bounds, std::max(one.resolution, 2));
   const std::vector<Point> samples = randomPointsAround(bounds, one.samples, 0, 1, 1601);

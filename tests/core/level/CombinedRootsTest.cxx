@@ -3,6 +3,7 @@
 #include "level/CombinedRoots.h"
 
 #include "base/Executor.h"
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 #include "support/SolidOnGrid.h"
 
@@ -61,14 +62,13 @@ struct Operands
 /// Some solids reach over the border of the grid; some samples lie on faces of lattice solids.
 TEST(BooleanEdges, AreThoseOfEachSamplesOwnAnswer)
 {
-  winding::SerialExecutor serial;
   ShuffledThreads shuffled(1);
   std::size_t crossed = 0;
   for (unsigned seed = 0; seed < 60; ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::vector<Mesh> meshes = {surfaceOf(randomCells(3, seed)),
-      surfaceOf(randomCells(3, seed + 1000)), moved(icosphere(2), {1.4, 1.3, 1.6})};
+      surfaceOf(randomCells(3, seed + 1000)), icosphere(2).moved({1.4, 1.3, 1.6})};
     const winding::Grid grid = gridOf({0.25, -0.5, -0.5}, Point::Constant(0.25), {14, 17, 16});
     for (const bool withBorder : {false, true})
     {
@@ -120,15 +120,14 @@ TEST(BooleanEdges, AreThoseOfEachSamplesOwnAnswer)
 /// Walks along every edge: the answers of all operands on it change at their roots only.
 TEST(CombinedRoots, LieWhereTheAnswerChanges)
 {
-  winding::SerialExecutor serial;
   ShuffledThreads shuffled(1);
   std::size_t contested = 0;
   for (unsigned seed = 0; seed < 20; ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const double shift = 0.01 * seed;
-    const std::vector<Mesh> meshes = {icosphere(3), moved(icosphere(3), {0.3 + shift, 0.1, 0.2}),
-      moved(cube(), {0.05 + shift, -0.4, 0.07})};
+    const std::vector<Mesh> meshes = {icosphere(3), icosphere(3).moved({0.3 + shift, 0.1, 0.2}),
+      cube().moved({0.05 + shift, -0.4, 0.07})};
     const winding::Grid grid = gridOf({-1.3, -1.31, -1.32}, Point::Constant(0.2), {17, 16, 15});
     const Operands operands(meshes, grid, false, serial);
     for (const BooleanOperation operation : operations)
@@ -195,7 +194,6 @@ TEST(OperandOf, ATriangleIsTheOneOfTwoCornersOrOfTheFirst)
 
 TEST(BooleanEdges, HaveNoSlivers)
 {
-  winding::SerialExecutor serial;
   // Samples lie on the faces of the cubes, or do not.
   for (const double first : {-0.5, -0.46})
   {

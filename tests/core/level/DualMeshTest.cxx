@@ -5,6 +5,7 @@
 #include "support/BitField.h"
 #include "support/Dual.h"
 #include "support/Manifold.h"
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,6 @@ using winding::LevelEdges;
 /// Expects that a solid's quads, whole and cut at random, are closed and manifold.
 void expectManifold(const BitField& field, const winding::Grid& grid, std::uint64_t cuts)
 {
-  winding::SerialExecutor serial;
   const Dual dual(field, grid, serial);
   for (const std::uint64_t cut : {std::uint64_t(0), cuts | 1})
   {
@@ -177,7 +177,6 @@ TEST(DualMesh, WouldNotBeManifoldWithoutItsRuleForFaces)
   forAllPairsOfCells(
     [&](const BitField& field, const winding::Grid& grid, std::uint64_t)
     {
-      winding::SerialExecutor serial;
       const Dual dual(field, grid, serial);
       const RulelessDual ruleless(dual.edges, grid);
       const bool isFaulty = manifoldFaults(ruleless.polygons).any();
@@ -216,7 +215,6 @@ TEST(DualMesh, OfLargeRandomSolidsIsClosedAndManifoldAndTheSameForAnyExecutor)
       field.inside.push_back(random(0, 1) < 0.1 + 0.04 * seed);
     }
     ASSERT_NO_FATAL_FAILURE(expectManifold(field, grid, random.bits())) << seed;
-    winding::SerialExecutor serial;
     ShuffledThreads threads(seed);
     const Dual dual(field, grid, serial), again(field, grid, threads);
     EXPECT_EQ(dual.polygons(0), again.polygons(0));
@@ -247,7 +245,6 @@ TEST(DualMesh, VisitsTheVerticesInOrderWithTheEdgesOfTheirPatches)
   {
     field.inside.push_back(random(0, 1) < 0.5);
   }
-  winding::SerialExecutor serial;
   const Dual dual(field, grid, serial);
   std::size_t expected = 0, crossings = 0;
   for (std::size_t layer = 0; layer < dual.mesh->layers(); ++layer)

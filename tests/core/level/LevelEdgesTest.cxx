@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level/LevelEdges.h"
 #include "base/Executor.h"
-#include "base/Views.h"
+#include "support/Fields.h"
 #include "support/Interruption.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
@@ -29,13 +30,6 @@ struct Subject
 
 std::vector<Subject> subjects()
 {
-  winding::SerialExecutor serial;
-  const auto fieldOf = [&](const Mesh& mesh, winding::Method method)
-  {
-    winding::FieldOptions options;
-    options.method = method;
-    return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
-  };
   const auto shrunk = [](const Point& p) -> Point
   {
     return 0.5 * p + Point(0.1, 0.2, 0.3);
@@ -46,14 +40,11 @@ std::vector<Subject> subjects()
       .mapped([](const Point& p) -> Point { return 0.6 * p - Point::Constant(0.9); });
   const Mesh open = ball.part(0, 1000);
   const Cloud cloud = sphereCloud(500);
-  const auto automatic = winding::Method::automatic;
-  return {{"closed", fieldOf(ball, automatic), true}, {"nested", fieldOf(nested, automatic), true},
-    {"lattice", fieldOf(lattice, automatic), true}, {"open", fieldOf(open, automatic), false},
+  return {{"closed", fieldOf(ball), true}, {"nested", fieldOf(nested), true},
+    {"lattice", fieldOf(lattice), true}, {"open", fieldOf(open), false},
     {"far field", fieldOf(nested, winding::Method::hierarchical), false},
-    {"parity", fieldOf(ball, winding::Method::parity), false},
-    {"cloud", Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, {}, serial),
-      false},
-    {"nothing", fieldOf(Mesh(), automatic), true}};
+    {"parity", fieldOf(ball, winding::Method::parity), false}, {"cloud", fieldOf(cloud), false},
+    {"nothing", fieldOf(Mesh()), true}};
 }
 
 /// The samples of a whole grid; all samples around it are outside.
@@ -69,7 +60,6 @@ struct Samples
     output.inside = inside.data();
     output.rule = rule;
     output.threshold = threshold;
-    winding::SerialExecutor serial;
     field.evaluate(grid, extent, output, serial);
   }
 

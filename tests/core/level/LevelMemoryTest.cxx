@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level/LevelMemory.h"
 #include "level/LevelEdges.h"
+#include "support/Fields.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +30,6 @@ struct Counts
 
 Counts countsOf(const Field& field, const Grid& grid)
 {
-  SerialExecutor serial;
   constexpr double threshold = 0.5;
   LevelEdges edges(field, grid, InsideRule::signedThreshold, threshold, false);
   while (!edges.isDone())
@@ -38,12 +39,6 @@ Counts countsOf(const Field& field, const Grid& grid)
   return {levelEdgesByArea(field, grid),
     levelEdgesByCoarseGrid(field, grid, InsideRule::signedThreshold, threshold, false, serial),
     static_cast<double>(edges.size())};
-}
-
-std::shared_ptr<const Field> fieldOf(const Mesh& mesh)
-{
-  SerialExecutor serial;
-  return Field::build(std::vector<TrianglesView>{mesh.view()}, {}, serial);
 }
 
 TEST(LevelMemory, EdgesOfASphereAreForetold)
@@ -62,9 +57,7 @@ TEST(LevelMemory, EdgesOfASphereAreForetold)
 TEST(LevelMemory, EdgesOfACloudAreForetold)
 {
   const Cloud cloud = sphereCloud(2000);
-  SerialExecutor serial;
-  const auto field =
-    Field::build(std::vector<OrientedPointsView>{cloud.view()}, FieldOptions(), serial);
+  const auto field = fieldOf(cloud);
   const Counts counts = countsOf(*field, gridOf(Eigen::Vector3d::Constant(0.02)));
   EXPECT_NEAR(counts.byArea, counts.found, 0.2 * counts.found);
   EXPECT_NEAR(counts.byCoarseGrid, counts.found, 0.2 * counts.found);
@@ -75,7 +68,7 @@ TEST(LevelMemory, ACoarseGridSeesThatSpheresLieInEachOther)
   Mesh onion = icosphere(4);
   for (double scale = 0.9; scale > 0.05; scale -= 0.1)
   {
-    onion = onion.with(icosphere(4).mapped([&](const Point& p) -> Point { return scale * p; }));
+    onion = onion.with(icosphere(4).scaled(scale));
   }
   const auto field = fieldOf(onion);
   const Counts counts = countsOf(*field, gridOf(Eigen::Vector3d::Constant(0.01)));

@@ -5,8 +5,10 @@
 #include "base/Executor.h"
 #include "base/Views.h"
 #include "source/Surface.h"
+#include "support/Fields.h"
 #include "support/LatticeChain.h"
 #include "support/RowValues.h"
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +58,6 @@ TEST(LevelRoots, OfClosedLatticeChainsAreWhereTheFieldJumpsOverTheLevel)
     {
       continue;
     }
-    winding::SerialExecutor serial;
     const winding::TrianglesView view{{surface.vertices[0].data(), surface.vertices.size()},
       {surface.triangles[0].data(), surface.triangles.size()}};
     for (const auto method : {winding::Method::automatic, winding::Method::direct})
@@ -104,17 +105,12 @@ TEST(LevelRoots, OfClosedLatticeChainsAreWhereTheFieldJumpsOverTheLevel)
 TEST(LevelRoots, NeedNoEvaluationWhereASingleCrossingExplainsTheChange)
 {
   // Ray parity falls from 1 to 0 at the inner sphere, where w rises from 1 to 2.
-  const Mesh mesh =
-    icosphere(2).with(icosphere(2).mapped([](const Point& p) -> Point { return 0.51 * p; }));
+  const Mesh mesh = icosphere(2).with(icosphere(2).scaled(0.51));
   const winding::Grid grid = gridOf({-1.1, -1.12, -1.13}, {0.201, 0.203, 0.204}, {12, 12, 12});
-  winding::SerialExecutor serial;
   for (const auto method :
     {winding::Method::automatic, winding::Method::direct, winding::Method::parity})
   {
-    winding::FieldOptions options;
-    options.method = method;
-    const auto field =
-      Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
+    const auto field = fieldOf(mesh, method);
     winding::LevelEdges edges(*field, grid, InsideRule::signedThreshold, 0.5, false);
     while (!edges.isDone())
     {
@@ -135,11 +131,7 @@ TEST(LevelRoots, BesideSamplesOnFacesHaveTheNormalsOfTheFaces)
   const Point low = grid.sample(1, 1, 1), high = grid.sample(4, 4, 4);
   ASSERT_GT(grid.inGridUnits(low)[0], 1);
   const Mesh mesh = cube(low, high);
-  winding::SerialExecutor serial;
-  winding::FieldOptions options;
-  options.method = winding::Method::direct;
-  const auto field =
-    Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
+  const auto field = fieldOf(mesh, winding::Method::direct);
   const Roots found(*field, grid, InsideRule::signedThreshold, serial);
   std::size_t onFaces = 0;
   for (std::size_t i = 0; i < found.edges.size(); ++i)

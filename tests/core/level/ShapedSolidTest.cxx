@@ -3,6 +3,7 @@
 #include "level/ShapedSolid.h"
 
 #include "support/NaiveDistance.h"
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 #include "support/SolidOnGrid.h"
 
@@ -90,11 +91,10 @@ double limitNear(const SolidShape& shape, double distance)
 /// Samples on a limit, within rounding, may go either way.
 TEST(ShapedSolid, HasTheSamplesOfEachOnesOwnDistance)
 {
-  winding::SerialExecutor serial;
   ShuffledThreads shuffled(1);
   const winding::Grid grids[] = {gridOf({-1.73, -1.61, -1.57}, {0.13, 0.11, 0.17}, {27, 29, 19}),
     gridOf({-1.1, -2, -2}, Point::Constant(0.21), {9, 17, 19})};
-  const Mesh meshes[] = {icosphere(2), moved(surfaceOf(lShape()), {-0.7, -0.6, -0.5}), torus(12, 8),
+  const Mesh meshes[] = {icosphere(2), surfaceOf(lShape()).moved({-0.7, -0.6, -0.5}), torus(12, 8),
     cube({-1, -1, -1}, {1, 0.5, 1})};
   std::size_t inside = 0, outside = 0;
   for (const Mesh& mesh : meshes)
@@ -138,10 +138,8 @@ TEST(ShapedSolid, HasTheSamplesOfEachOnesOwnDistance)
 
 TEST(ShapedSolid, HasRootsAtTheExactDistance)
 {
-  winding::SerialExecutor serial;
   const winding::Grid grid = gridOf({-1.93, -1.81, -1.87}, {0.13, 0.11, 0.17}, {31, 33, 23});
-  const Mesh meshes[] = {
-    icosphere(2), moved(surfaceOf(lShape()), {-0.7, -0.6, -0.5}), torus(12, 8)};
+  const Mesh meshes[] = {icosphere(2), surfaceOf(lShape()).moved({-0.7, -0.6, -0.5}), torus(12, 8)};
   std::size_t tried = 0;
   double worst = 0;
   for (const Mesh& mesh : meshes)
@@ -179,7 +177,6 @@ TEST(ShapedSolid, HasRootsAtTheExactDistance)
 /// Where the grid shows no surface, none of its samples is near it.
 TEST(ShapedSolid, OfAGridWithinTheSolidIsAllInside)
 {
-  winding::SerialExecutor serial;
   const winding::Grid grid = gridOf(Point::Constant(0.4), Point::Constant(0.02), {9, 9, 9});
   const SolidOnGrid solid(openCube(), grid, false, serial);
   const std::array<int, 3> sample = {4, 4, 4};
@@ -195,7 +192,6 @@ TEST(ShapedSolid, OfAGridWithinTheSolidIsAllInside)
 
 TEST(ShapedSolid, ThickensAnOpenSheetWithItsRim)
 {
-  winding::SerialExecutor serial;
   const Mesh sheet = openCube();
   const winding::Grid grid = gridOf(Point::Constant(-0.51), Point::Constant(0.07), {29, 29, 29});
   const SolidOnGrid solid(sheet, grid, false, serial);
@@ -212,7 +208,6 @@ TEST(ShapedSolid, ThickensAnOpenSheetWithItsRim)
 /// Solids that overlap or touch have triangles inside, from which no distance counts.
 TEST(ShapedSolid, MeasuresFromWhatBoundsTheSolid)
 {
-  winding::SerialExecutor serial;
   const winding::Grid grid = gridOf(Point::Constant(-0.53), Point::Constant(0.06), {44, 35, 35});
   const Mesh both[] = {cube().with(cube({0.6, 0, 0}, {1.5, 1, 1})),
     cube().with(cube({1, 0, 0}, {1.5, 1, 1})),
@@ -247,7 +242,6 @@ TEST(ShapedSolid, MeasuresFromWhatBoundsTheSolid)
 /// Large triangles of which a part lies inside of another solid, though their middles do not.
 TEST(ShapedSolid, NoticesFacesOfWhichAPartIsInside)
 {
-  winding::SerialExecutor serial;
   const winding::Grid grid = gridOf(Point::Constant(-0.4), Point::Constant(0.0713), {41, 43, 45});
   const Mesh pairs[] = {cube().with(cube({0.7, 0.7, 0.7}, {1.7, 1.7, 1.7})),
     cube({0, 0.9, 0.9}, {2, 1.1, 1.1}).with(cube({0.9, 0, 0.9}, {1.1, 2, 1.1}))};
@@ -267,7 +261,6 @@ TEST(ShapedSolid, SeesPartsInsideByTheSmallestSideOfVoxels)
   // The tip of a spike is in the cube by four of these sides, and all else of it is outside.
   const Mesh spike{{{0.5, 0.45, 0.8}, {0.2, 0.2, 3}, {0.8, 0.2, 3}, {0.5, 0.9, 3}},
     {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}};
-  winding::SerialExecutor serial;
   for (int turn = 0; turn < 3; ++turn)
   {
     const auto turned = [turn](const Point& p) -> Point
@@ -284,7 +277,6 @@ TEST(ShapedSolid, SeesPartsInsideByTheSmallestSideOfVoxels)
 /// The surface to measure from is not lost on a grid of voxels larger than the solid.
 TEST(ShapedSolid, MovesFarBeyondItsSource)
 {
-  winding::SerialExecutor serial;
   const winding::Grid grid = gridOf(Point::Constant(-25.1), Point::Constant(2.61), {20, 20, 20});
   const Mesh whole = cube({0, 0, 0}, {1.5, 1, 1});
   const SolidOnGrid solid(cube().with(cube({0.6, 0, 0}, {1.5, 1, 1})), grid, false, serial);
@@ -330,7 +322,6 @@ TEST(ShapedSolid, ExpectsMemoryForEachOfItsSurfaces)
 
 TEST(FilledCavities, AreWhatTheBorderDoesNotReach)
 {
-  winding::SerialExecutor serial;
   ShuffledThreads shuffled(1);
   std::size_t filled = 0;
   for (unsigned seed = 0; seed < 40; ++seed)
@@ -402,7 +393,6 @@ TEST(FilledCavities, AreWhatTheBorderDoesNotReach)
 /// The surface of a cavity that is filled is no surface to measure from.
 TEST(FilledCavities, LeaveNoSurfaceBehind)
 {
-  winding::SerialExecutor serial;
   const Mesh hollow = cube().with(cube({0.2, 0.2, 0.2}, {0.8, 0.8, 0.8}).reversed());
   const winding::Grid grid = gridOf(Point::Constant(-0.11), Point::Constant(0.05), {25, 25, 25});
   const SolidOnGrid solid(hollow, grid, false, serial);
@@ -427,7 +417,6 @@ TEST(FilledCavities, LeaveNoSurfaceBehind)
 /// grid is larger than the source.
 TEST(FilledCavities, AreTheSameOnTheGridThatDistancesComeFrom)
 {
-  winding::SerialExecutor serial;
   std::size_t filled = 0, open = 0;
   for (const double hole : {0.03, 0.05, 0.07, 0.09, 0.12, 0.2})
   {
@@ -444,8 +433,7 @@ TEST(FilledCavities, AreTheSameOnTheGridThatDistancesComeFrom)
         profile.push_back({isPole ? 0 : radius * std::sin(angle), -radius * std::cos(angle)});
       }
     }
-    const Mesh ball =
-      lathe(profile, 48).mapped([](const Point& p) -> Point { return p + Point(0.05, 0.03, 0); });
+    const Mesh ball = lathe(profile, 48).moved({0.05, 0.03, 0});
     for (const int samples : {16, 20, 32, 40})
     {
       for (const double half : {1.5, 2.5, 5.0})

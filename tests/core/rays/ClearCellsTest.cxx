@@ -7,13 +7,12 @@
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -43,7 +42,6 @@ struct Fixture
 /// samples that are in clear cells.
 double clearShare(const Mesh& mesh, const std::vector<Point>& samples, std::size_t wantedCells)
 {
-  winding::SerialExecutor serial;
   const Fixture fixture(mesh, wantedCells, serial);
   const std::vector<double> expected = valuesOf(winding::TriangleSum(fixture.surface), samples);
   std::size_t clear = 0;
@@ -98,8 +96,7 @@ TEST(ClearCells, AreFewWhereCoordinatesAreRounded)
   // sides.
   for (const double distance : {1e3, 1e9, 1e13, 1e15, 3e15})
   {
-    const Mesh mesh = icosphere(3).mapped(
-      [&](const Point& p) -> Point { return p + Point(distance, -distance, 0.3 * distance); });
+    const Mesh mesh = icosphere(3).moved({distance, -distance, 0.3 * distance});
     const winding::Bounds bounds = clean(mesh).bounds;
     if (bounds.sizes().maxCoeff() > 0)
     {
@@ -108,7 +105,7 @@ TEST(ClearCells, AreFewWhereCoordinatesAreRounded)
   }
   for (const double size : {0x1p-330, 0x1p330})
   {
-    const Mesh mesh = icosphere(3).mapped([&](const Point& p) -> Point { return size * p; });
+    const Mesh mesh = icosphere(3).scaled(size);
     EXPECT_GT(
       clearShare(mesh, randomPointsAround(clean(mesh).bounds, 500, -0.1, 1.1, 312), 8000), 0.5);
   }
@@ -127,7 +124,6 @@ TEST(ClearCells, MayBeFlat)
           p[axis] = height;
           return p;
         });
-      winding::SerialExecutor serial;
       const Fixture fixture(mesh, 1000, serial);
       EXPECT_GT(fixture.cells.places().size(), 0u) << "the corners around the disc";
       std::vector<Point> samples = randomPoints(1000, -1.2, 1.2, 314);
@@ -145,7 +141,6 @@ TEST(ClearCells, MayBeFlat)
 
 TEST(ClearCells, DoNotDependOnThreads)
 {
-  winding::SerialExecutor serial;
   ShuffledThreads threads(313);
   const Mesh mesh = torus(96, 48).with(cube());
   const Fixture one(mesh, 20'000, serial), several(mesh, 20'000, threads);

@@ -12,6 +12,7 @@
 #include "support/Interruption.h"
 #include "support/LatticeSolids.h"
 #include "support/RowValues.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
@@ -42,7 +43,6 @@ std::vector<double> crossings(
 
 std::vector<double> crossings(const Mesh& mesh, const std::vector<Point>& samples)
 {
-  winding::SerialExecutor serial;
   return crossings(clean(mesh), samples, serial);
 }
 
@@ -51,7 +51,6 @@ std::vector<double> crossings(const Mesh& mesh, const std::vector<Point>& sample
 void expectTheSameAskedAgain(
   const winding::Surface& surface, const std::vector<Point>& samples, std::size_t most)
 {
-  winding::SerialExecutor serial;
   const std::vector<double> expected = crossings(surface, samples, serial);
   const winding::PointCrossings kept(surface);
   ShuffledThreads threads(272);
@@ -77,7 +76,6 @@ void expectTheSameAskedAgain(
 void expectTheIntegers(const Mesh& mesh, const std::vector<Point>& samples)
 {
   const winding::Surface surface = clean(mesh);
-  winding::SerialExecutor serial;
   const std::vector<double> values = crossings(surface, samples, serial);
   const std::vector<double> expected = valuesOf(winding::TriangleSum(surface), samples);
   std::size_t compared = 0;
@@ -271,7 +269,6 @@ TEST(PointCrossings, DoNotDependOnUnitOriginOtherSamplesOrThreads)
   const winding::Surface surface = clean(mesh);
   ShuffledThreads threads(266);
   EXPECT_EQ(crossings(surface, samples, threads), expected);
-  winding::SerialExecutor serial;
   for (std::size_t i = 0; i < samples.size(); i += 97)
   {
     EXPECT_EQ(crossings(surface, {samples[i]}, serial)[0], expected[i]);
@@ -395,7 +392,6 @@ TEST(PointCrossings, OnTheChainAreThoseOfRows)
   {
     samples.push_back(grid.sample(n));
   }
-  winding::SerialExecutor serial;
   const std::vector<double> values = crossings(surface, samples, serial);
   const winding::RowCrossings rows(surface.vertices, surface);
   const std::vector<int> expected = rowValues(rows, grid, grid.wholeExtent(), 65536, serial);

@@ -6,6 +6,7 @@
 #include "source/Surface.h"
 #include "sums/DirectSum.h"
 #include "support/RowValues.h"
+#include "support/Serial.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,6 @@ using winding::Grid;
 
 std::vector<int> valuesOn(const winding::Surface& surface, const Grid& grid)
 {
-  winding::SerialExecutor serial;
   return rowValues({surface.vertices, surface.triangles}, grid, grid.wholeExtent(), 65536, serial);
 }
 
@@ -156,7 +156,6 @@ TEST(RowCrossings, DoNotDependOnExtentBandsOrThreads)
     const ClosedLatticeChain chain(seed);
     const winding::RowCrossings rows = chain.rows();
     const Extent whole = chain.grid().wholeExtent();
-    winding::SerialExecutor serial;
     const std::vector<int> expected = rowValues(rows, chain.grid(), whole, 65536, serial);
     ShuffledThreads threads(seed);
     for (const std::size_t samplesPerBlock : {1, 7, 1'000'000'000})
@@ -192,7 +191,6 @@ TEST(RowCrossings, OfMeshesFinerThanTheGridAreThoseOnAFinerGrid)
   const winding::RowCrossings rows(surface.vertices, surface.triangles);
   const Grid coarse = gridOf(Point::Constant(-1.25), Point::Constant(0.25), {11, 11, 11});
   const Grid fine = gridOf(Point::Constant(-1.25), Point::Constant(0.0625), {41, 41, 41});
-  winding::SerialExecutor serial;
   const std::vector<int> expected = rowValues(rows, fine, fine.wholeExtent(), 65536, serial);
   ShuffledThreads threads(166);
   for (const std::size_t samplesPerBlock : {1, 40, 1'000'000})
@@ -276,7 +274,6 @@ TEST(RowCrossings, OfOneSampleAreThoseOfItsRow)
   {
     const ClosedLatticeChain chain(seed);
     const winding::RowCrossings rows = chain.rows();
-    winding::SerialExecutor serial;
     const Extent whole = chain.grid().wholeExtent();
     const std::vector<int> expected = rowValues(rows, chain.grid(), whole, 65536, serial);
     for (std::size_t n = 0; n < expected.size(); ++n)
@@ -339,7 +336,7 @@ TEST(RowCrossings, DoNotDependOnTheUnitOfLengthOrTheDistanceFromTheOrigin)
   }
   // The solid and its grid move a million diagonals away.
   const Point away(6e6, -5e6, 4e6);
-  const Mesh moved = solid.mapped([&](const Point& p) -> Point { return p + away; });
+  const Mesh moved = solid.moved(away);
   const Grid there = gridOf(grid.firstSample + away, grid.spacing, grid.dimensions);
   EXPECT_EQ(valuesOn(moved, there), expected);
 }

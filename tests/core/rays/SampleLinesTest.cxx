@@ -4,6 +4,7 @@
 
 #include "sums/ReferenceSum.h"
 #include "support/HostileSoups.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/Shuffled.h"
 
@@ -25,13 +26,11 @@ using winding::SurfaceSamples;
 
 SurfaceSamples samplesOf(const Surface& surface, std::size_t most = 256)
 {
-  winding::SerialExecutor serial;
   return sampleSurface(surface, most, serial);
 }
 
 std::vector<SampleLine> linesOf(const Surface& surface, const SurfaceSamples& samples)
 {
-  winding::SerialExecutor serial;
   return linesThrough(surface, samples.points, samples, serial);
 }
 
@@ -46,17 +45,12 @@ Mesh lumpy(int levels)
     });
 }
 
-Mesh moved(const Mesh& mesh, const Point& by)
-{
-  return mesh.mapped([&by](const Point& p) { return Point(p + by); });
-}
-
 } // namespace
 
 TEST(SurfaceSamples, AreSpreadByArea)
 {
   // Half of a slab's area is its top and its bottom, though most triangles are those of the ball.
-  const Mesh both = cube({0, 0, 0}, {4, 4, 0.5}).with(moved(icosphere(5), {10, 0, 0}));
+  const Mesh both = cube({0, 0, 0}, {4, 4, 0.5}).with(icosphere(5).moved({10, 0, 0}));
   const Surface surface = clean(both);
   const double ofCube = 2 * 16 + 4 * 2.0, ofBall = 4 * M_PI;
   const SurfaceSamples samples = samplesOf(surface, 1024);
@@ -76,7 +70,7 @@ TEST(SurfaceSamples, AreSpreadByArea)
 
 TEST(SurfaceSamples, DependOnTheSetOfTriangles)
 {
-  const Mesh mesh = lumpy(6).with(moved(cube(), {3, 0, 0}));
+  const Mesh mesh = lumpy(6).with(cube().moved({3, 0, 0}));
   const auto keysOf = [](const Mesh& of)
   {
     const Surface surface = clean(of);
@@ -108,7 +102,7 @@ TEST(SampleLines, GiveTheWindingNumbersOnBothSides)
   const Mesh ball = icosphere(3);
   const Mesh small = ball.mapped([](const Point& p) { return Point(p / 2); });
   const Mesh cavity = ball.with(small.reversed());
-  const Mesh twice = ball.with(moved(ball, {0.5, 0.2, 0.1}));
+  const Mesh twice = ball.with(ball.moved({0.5, 0.2, 0.1}));
   for (const Mesh& mesh : {lumpy(4), lumpy(3).reversed(), cavity, twice, torus(40, 20), cube(),
          surfaceOf(randomCells(4, 5))})
   {
@@ -120,10 +114,10 @@ TEST(SampleLines, GiveTheWindingNumbersOnBothSides)
       const SurfaceSample& sample = samples.points[i];
       EXPECT_TRUE(lines[i].isClear());
       const Point step = 1e-5 * sample.normal;
-      EXPECT_NEAR(winding::referenceSum<double>(surface, sample.position + step), lines[i].before,
-        1e-3);
-      EXPECT_NEAR(winding::referenceSum<double>(surface, sample.position - step), lines[i].behind,
-        1e-3);
+      EXPECT_NEAR(
+        winding::referenceSum<double>(surface, sample.position + step), lines[i].before, 1e-3);
+      EXPECT_NEAR(
+        winding::referenceSum<double>(surface, sample.position - step), lines[i].behind, 1e-3);
     }
   }
 }
@@ -170,7 +164,7 @@ TEST(SampleLines, MeasureWalls)
   {
     const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(0.7, Point(1, 2, 3).normalized()).toRotationMatrix();
-    return mesh.mapped([turn](const Point& p) { return Point(turn * p); });
+    return mesh.mapped([&](const Point& p) -> Point { return turn * p; });
   };
   const std::vector<double> ofPlate = wallsOf(turned(cube({0, 0, 0}, {1, 1, 0.02})));
   EXPECT_NEAR(ofPlate[ofPlate.size() / 10], 0.02, 1e-9);

@@ -8,6 +8,7 @@
 #include "source/Sanitize.h"
 #include "source/Surface.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -19,6 +20,7 @@
 namespace
 {
 
+using shapes::serial;
 using winding::CloudReport;
 using winding::Parameter;
 using Advice = std::vector<winding::Message>;
@@ -57,7 +59,6 @@ const std::vector<Parameter> turned = {Parameter::insideRule, Parameter::orientF
 
 Advice on(const winding::Surface& surface)
 {
-  winding::SerialExecutor serial;
   return winding::adviceOn(
     surface, winding::reportOn(surface, winding::edgesOf(surface, serial), serial));
 }
@@ -69,7 +70,6 @@ std::string adviceOnSurface(const winding::Surface& surface)
 
 Advice on(const shapes::Mesh& mesh)
 {
-  winding::SerialExecutor serial;
   return on(winding::sanitize({mesh.view()}, serial));
 }
 
@@ -171,7 +171,6 @@ TEST(Advice, OnSurfacesCountsWhatIsLeftOut)
   mesh.triangles.push_back({0, 1, 99});
   mesh.points.emplace_back(std::nan(""), 0, 0);
   mesh.triangles.push_back({0, 1, 8});
-  winding::SerialExecutor serial;
   const winding::Surface surface = winding::sanitize({mesh.view()}, serial);
   EXPECT_EQ(adviceOnSurface(surface),
     "closed: every winding number is an integer; 1 triangle is left out for NaN or infinite "

@@ -5,6 +5,7 @@
 #include "base/Refusal.h"
 #include "base/Views.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
@@ -30,7 +31,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 CloudReport report(const std::vector<OrientedPointsView>& views)
 {
-  winding::SerialExecutor serial;
   return winding::reportOn(views, serial);
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/Fidelity.h"
 
+#include "support/Fields.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
@@ -16,12 +18,6 @@ using namespace shapes;
 using winding::Fidelity;
 using winding::Field;
 
-std::shared_ptr<const Field> fieldOf(const Mesh& mesh)
-{
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, {}, serial);
-}
-
 Fidelity compare(
   const Field& field, const Mesh& surface, unsigned seed, winding::Executor& executor)
 {
@@ -31,7 +27,6 @@ Fidelity compare(
 
 Fidelity compare(const Field& field, const Mesh& surface, unsigned seed = 1)
 {
-  winding::SerialExecutor serial;
   return compare(field, surface, seed, serial);
 }
 
@@ -86,14 +81,14 @@ TEST(Fidelity, TellsOnePartFromTheOtherAndWhichIsLost)
 TEST(Fidelity, FindsPartsOfWhichOnlyACornerOrTheMiddleOfAFaceIsNear)
 {
   const Mesh ball = icosphere(2);
-  const Mesh small = ball.mapped([](const Point& p) -> Point { return 0.01 * p; });
-  const Mesh large = tetrahedron().mapped([](const Point& p) -> Point { return 50 * p; });
+  const Mesh small = ball.scaled(0.01);
+  const Mesh large = tetrahedron().scaled(50);
   for (const Point& place : {large.points[0], large.points[2],
          Point((large.points[0] + large.points[1] + large.points[2]) / 3)})
   {
     const auto field = fieldOf(
       ball.mapped([](const Point& p) -> Point { return p - Point(500, 0, 0); }).with(large));
-    const Mesh near = small.mapped([&](const Point& p) -> Point { return p + place; });
+    const Mesh near = small.moved(place);
     const Fidelity found = compare(*field, near);
     EXPECT_EQ(found.components, 2u);
     EXPECT_EQ(found.lostComponents, 1u);
@@ -104,9 +99,7 @@ TEST(Fidelity, HasNoVolumeOfOpenSourcesAndNoPartsOfClouds)
 {
   EXPECT_TRUE(std::isnan(compare(*fieldOf(openCube()), cube()).sourceVolume));
   const Cloud cloud = sphereCloud(1000);
-  winding::SerialExecutor serial;
-  const auto field =
-    Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, {}, serial);
+  const auto field = fieldOf(cloud);
   const Fidelity found = compare(*field, icosphere(3));
   EXPECT_EQ(found.components, 0u);
   EXPECT_TRUE(std::isnan(found.sourceVolume));

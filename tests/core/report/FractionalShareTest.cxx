@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/FractionalShare.h"
 
-#include "base/Views.h"
-#include "field/Field.h"
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
+#include "support/Fields.h"
+#include "support/Grids.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace
 {
@@ -20,9 +20,7 @@ using namespace shapes;
 
 std::optional<double> shareOf(const Mesh& mesh)
 {
-  winding::SerialExecutor serial;
-  const auto field =
-    winding::Field::build(std::vector<winding::TrianglesView>{mesh.view()}, {}, serial);
+  const auto field = fieldOf(mesh);
   return winding::fractionalShare(*field, serial);
 }
 
@@ -30,11 +28,7 @@ std::optional<double> shareOf(const Mesh& mesh)
 double naiveShareOf(const Mesh& mesh)
 {
   const winding::Surface surface = clean(mesh);
-  winding::GridRequest request;
-  request.bounds = surface.bounds;
-  request.padding = 0.05;
-  request.resolution = 32;
-  const winding::Grid grid = winding::setUpGrid(request);
+  const winding::Grid grid = gridAround(surface.bounds, 32, 0.05);
   std::size_t fractional = 0, count = 0;
   for (int k = 0; k < grid.dimensions[2]; ++k)
   {
@@ -97,8 +91,7 @@ TEST(FractionalShare, OfFlatSheetsAndAtAnySize)
   const double expected = shareOf(openCube()).value_or(-1);
   for (const double scale : {0x1p-300, 0x1p300})
   {
-    EXPECT_EQ(
-      shareOf(openCube().mapped([scale](const Point& p) { return Point(scale * p); })), expected);
+    EXPECT_EQ(shareOf(openCube().scaled(scale)), expected);
   }
   // No grid has room between coordinates that are next to each other.
   const double next = std::nextafter(1.0, 2.0);

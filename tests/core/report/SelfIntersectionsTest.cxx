@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/SelfIntersections.h"
 
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
@@ -17,7 +18,6 @@ using namespace shapes;
 std::size_t countOf(const Mesh& mesh)
 {
   const winding::TriangleList triangles(mesh.triangles.begin(), mesh.triangles.end());
-  winding::SerialExecutor serial;
   ShuffledThreads threads(1);
   const std::size_t count = winding::countSelfIntersections(mesh.points, triangles, serial);
   EXPECT_EQ(count, winding::countSelfIntersections(mesh.points, triangles, threads));
@@ -26,7 +26,7 @@ std::size_t countOf(const Mesh& mesh)
 
 Mesh movedBy(const Mesh& mesh, const Point& offset)
 {
-  return mesh.mapped([&offset](const Point& p) -> Point { return p + offset; });
+  return mesh.moved(offset);
 }
 
 } // namespace
@@ -43,7 +43,7 @@ TEST(SelfIntersections, OfClosedShapesAreNone)
 TEST(SelfIntersections, OfTwoTetrahedraAreThePairsOfTrianglesThatCross)
 {
   // One corner sticks through a face: three triangles through one.
-  const Mesh small = tetrahedron().mapped([](const Point& p) -> Point { return 0.01 * p; });
+  const Mesh small = tetrahedron().scaled(0.01);
   Mesh wall;
   wall.points = {{-1, -1, 0.003}, {1, -1, 0.0031}, {0, 2, 0.0032}};
   wall.triangles = {{0, 1, 2}};
@@ -91,7 +91,6 @@ TEST(SelfIntersections, AreThoseThatAllPairsShow)
       for (std::size_t b = 0; b < a; ++b)
       {
         const winding::TriangleList two = {soup.triangles[a], soup.triangles[b]};
-        winding::SerialExecutor serial;
         pairs += winding::countSelfIntersections(soup.points, two, serial);
       }
     }

@@ -5,6 +5,7 @@
 
 #include "source/Sanitize.h"
 #include "source/Surface.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,6 @@ using winding::SurfaceReport;
 
 SurfaceReport report(const Mesh& mesh)
 {
-  winding::SerialExecutor serial;
   const winding::Surface surface = clean(mesh);
   return winding::reportOn(surface, winding::edgesOf(surface, serial), serial);
 }
@@ -41,19 +41,6 @@ void expectEdges(const Mesh& mesh, const Expected& expected)
   EXPECT_EQ(counts.boundaryLoops, expected.boundaryLoops);
   EXPECT_EQ(counts.components, expected.components);
   EXPECT_EQ(counts.isClosed(), expected.netBoundary == 0);
-}
-
-/// Pages that meet in the edge from (0, 0, 0) to (0, 0, 1), all in the same direction or by turns.
-Mesh book(std::int32_t pages, bool byTurns)
-{
-  Mesh mesh{{{0, 0, 0}, {0, 0, 1}}, {}};
-  for (std::int32_t i = 0; i < pages; ++i)
-  {
-    mesh.points.push_back({std::cos(i), std::sin(i), 0.5});
-    const bool back = byTurns && i % 2 == 1;
-    mesh.triangles.push_back({back ? 1 : 0, back ? 0 : 1, i + 2});
-  }
-  return mesh;
 }
 
 } // namespace
@@ -221,7 +208,6 @@ TEST(CountVertices, CountsDifferentAndUnreferencedPoints)
   mesh.points.insert(
     mesh.points.end(), {{7, 7, 7}, {7, 7, 7}, {8, 7, 7}, {nan, 0, 0}, {0, -0.0, 0}});
   mesh.triangles.push_back({18, 18, 0});
-  winding::SerialExecutor serial;
   const winding::Surface surface = winding::sanitize({mesh.view()}, serial);
   const winding::VertexCounts counts =
     winding::countVertices({mesh.view().points}, surface, serial);
@@ -240,7 +226,7 @@ TEST(CountOrientations, CountsOpenPartsThatACapCloses)
   };
   const auto shifted = [](const Mesh& mesh)
   {
-    return mesh.mapped([](const Point& p) -> Point { return p + Point(5, 0, 0); });
+    return mesh.moved({5, 0, 0});
   };
   winding::OrientationCounts counts = countsOf(openCube());
   EXPECT_EQ(counts.closed, 0u);
@@ -316,7 +302,7 @@ TEST(CountOrientations, KnowsTheBoreOfAnOpenPipe)
       EXPECT_EQ(countsOf(pipe.reversed()).inverted, 1u) << rings << " " << isSaddle;
     }
     EXPECT_EQ(countsOf(outer.reversed()).inverted, 1u);
-    const Mesh next = outer.mapped([](const Point& p) { return Point(p + Point(3, 0, 0)); });
+    const Mesh next = outer.moved({3, 0, 0});
     EXPECT_EQ(countsOf(outer.reversed().with(next.reversed())).inverted, 2u);
     EXPECT_EQ(countsOf(outer.with(next.reversed())).inverted, 1u);
   }
@@ -327,7 +313,7 @@ TEST(SurfaceReport, VolumeIsAsExactFarFromTheOrigin)
   // Both meshes have the same shape to the bit.
   const auto moved = [](const Mesh& mesh, double by)
   {
-    return mesh.mapped([by](const Point& p) -> Point { return p + Point(by, -by, by); });
+    return mesh.moved({by, -by, by});
   };
   const Mesh far = moved(icosphere(3), 0x1p23), near = moved(far, -0x1p23);
   EXPECT_NEAR(report(far).volume, report(near).volume, 1e-12);

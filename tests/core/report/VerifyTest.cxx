@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/Verify.h"
 
-#include "base/Bounds.h"
 #include "base/Pi.h"
 #include "base/Views.h"
+#include "support/Fields.h"
+#include "support/Grids.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -31,16 +33,12 @@ constexpr unsigned seed = 121;
 std::shared_ptr<const Field> sphereField()
 {
   const Mesh mesh = icosphere(2);
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, {}, serial);
+  return fieldOf(mesh);
 }
 
 Grid gridOver(const Point& low, const Point& high, int resolution = 16)
 {
-  winding::GridRequest request;
-  request.bounds = winding::Bounds(low, high);
-  request.resolution = resolution;
-  return winding::setUpGrid(request);
+  return gridAround({low, high}, resolution);
 }
 
 Grid sphereGrid()
@@ -54,7 +52,6 @@ Verification verifyWith(const Field& field, const Grid& grid, const Extent& exte
   std::vector<double> values(winding::sampleCount(extent));
   winding::FieldOutput output;
   output.doubleValues = values.data();
-  winding::SerialExecutor serial;
   field.evaluate(grid, extent, output, serial);
   return winding::verify(
     field, grid, extent,
@@ -162,7 +159,6 @@ TEST(Verify, HasNoNearSamplesWhereTheGridMissesTheSourceOrThereIsNone)
   const Verification found = verifyWith(*sphereField(), away, away.wholeExtent(), unchanged);
   EXPECT_EQ(found.everywhere.samples, drawn);
   EXPECT_EQ(found.nearSurface.samples, 0u);
-  winding::SerialExecutor serial;
   const auto empty = Field::build(std::vector<winding::TrianglesView>(), {}, serial);
   const Grid grid = sphereGrid();
   const Verification none = verifyWith(*empty, grid, grid.wholeExtent(), unchanged);
@@ -185,14 +181,6 @@ namespace
 
 constexpr winding::Method valueMethods[] = {
   winding::Method::rows, winding::Method::hierarchical, winding::Method::direct};
-
-std::shared_ptr<const Field> fieldOf(const Mesh& mesh, winding::Method method)
-{
-  winding::FieldOptions options;
-  options.method = method;
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
-}
 
 /// 13³ samples at multiples of an eighth, from −0.25 to 1.25; 386 lie on faces of the unit cube.
 Grid gridThroughTheCube()
@@ -368,9 +356,7 @@ TEST(Verify, CountsSamplesAtPointsOfACloudApartUnlessTheyAreRegularized)
   {
     winding::FieldOptions options;
     options.regularization = regularization;
-    winding::SerialExecutor serial;
-    const auto field =
-      Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, options, serial);
+    const auto field = fieldOf(cloud, options);
     const Verification found = verifyWith(*field, grid, grid.wholeExtent(), unchanged);
     EXPECT_LT(found.everywhere.max, 1e-3);
     EXPECT_LT(found.nearSurface.max, 1e-3);
@@ -387,7 +373,6 @@ TEST(Verify, CountsSamplesApartUpToTheRadiusAtWhichTheShareOfAPointIsOne)
   // The share of a point with this area is 1 at a distance of 0.5 along its normal.
   const std::vector<double> areas = {4 * winding::pi * 0.25};
   const Cloud cloud{{{0, 0, 0}}, {{0, 0, 1}}};
-  winding::SerialExecutor serial;
   winding::OrientedPointsView view = cloud.view();
   view.areas = {areas.data(), 1};
   const auto field = Field::build(std::vector<winding::OrientedPointsView>{view}, {}, serial);

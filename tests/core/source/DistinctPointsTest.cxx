@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/DistinctPoints.h"
 
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
@@ -14,12 +15,12 @@
 namespace
 {
 
+using shapes::serial;
 using winding::DistinctPoints;
 using Point = Eigen::Vector3d;
 
 DistinctPoints distinct(const std::vector<Point>& positions, double scale = 1)
 {
-  winding::SerialExecutor serial;
   return {positions, scale, serial};
 }
 

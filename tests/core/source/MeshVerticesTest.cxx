@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/MeshVertices.h"
 
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
@@ -22,7 +23,6 @@ using winding::MeshVertices;
 
 MeshVertices verticesOf(const std::vector<winding::TrianglesView>& views, std::size_t points)
 {
-  winding::SerialExecutor serial;
   return winding::meshVertices(views, points, serial);
 }
 

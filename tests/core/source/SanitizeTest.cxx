@@ -7,6 +7,7 @@
 #include "source/Surface.h"
 
 #include "base/Refusal.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
@@ -28,7 +29,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class View> auto sanitize(const std::vector<View>& views)
 {
-  winding::SerialExecutor serial;
   return winding::sanitize(views, serial);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source/SourceTree.h"
 
+#include "support/Serial.h"
 #include "support/ShuffledThreads.h"
 
 #include <Eigen/Geometry>
@@ -15,6 +16,7 @@ namespace
 
 using shapes::Point;
 using shapes::Random;
+using shapes::serial;
 using winding::SourceNode;
 using winding::SourceTree;
 
@@ -176,7 +178,6 @@ std::size_t depthOf(const SourceTree& tree)
 TEST(SourceTree, KeepsItsPromises)
 {
   SCOPED_TRACE("seeds 341 … 345");
-  winding::SerialExecutor serial;
   for (const Items& items : manyItems())
   {
     for (const std::size_t leafSize : {1, 12, 24, 10000})
@@ -189,7 +190,6 @@ TEST(SourceTree, KeepsItsPromises)
 
 TEST(SourceTree, IsTheSameOnAnyThreads)
 {
-  winding::SerialExecutor serial;
   for (const Items& items : manyItems())
   {
     SCOPED_TRACE(items.name);
@@ -213,7 +213,6 @@ TEST(SourceTree, IsTheSameOnAnyThreads)
 
 TEST(SourceTree, MakesOneLeafOfEqualItems)
 {
-  winding::SerialExecutor serial;
   std::vector<Point> centers(240001, Point(0.1, 0.2, 0.3));
   EXPECT_EQ(SourceTree(centers, 24, serial).nodes().size(), 1u);
   // Items at two places get one leaf for each.
@@ -224,7 +223,6 @@ TEST(SourceTree, MakesOneLeafOfEqualItems)
 TEST(SourceTree, HasFewLevelsForSourcesOfAnySizeFarApart)
 {
   SCOPED_TRACE("seed 349");
-  winding::SerialExecutor serial;
   std::vector<Point> centers;
   for (const double size : {1.0, 1e-6, 1e-12})
   {
@@ -242,7 +240,6 @@ TEST(SourceTree, HasFewLevelsForSourcesOfAnySizeFarApart)
 
 TEST(SourceTree, TakesALevelForFourExponentiallySpacedItems)
 {
-  winding::SerialExecutor serial;
   for (const Items& items : manyItems())
   {
     if (items.name == "exponentially spaced")
@@ -257,7 +254,6 @@ TEST(SourceTree, TakesALevelForFourExponentiallySpacedItems)
 TEST(SourceTree, MakesChildrenOfHalfTheSizeOfFlatSources)
 {
   SCOPED_TRACE("seed 350");
-  winding::SerialExecutor serial;
   std::vector<Point> centers = shapes::randomPoints(4096, -1, 1, 350);
   for (Point& p : centers)
   {

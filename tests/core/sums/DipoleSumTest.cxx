@@ -29,7 +29,7 @@ std::vector<double> someAreas(std::size_t count, unsigned seed)
 }
 
 /// Values grow without bound towards a point, so differences are taken relative to those above 1.
-double largestDifference(const std::vector<double>& a, const std::vector<double>& b)
+double largestRelativeDifference(const std::vector<double>& a, const std::vector<double>& b)
 {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -99,7 +99,7 @@ TEST(DipoleSum, EqualsTheLongDoubleReference)
     expected.push_back(
       static_cast<double>(winding::referenceSum<long double>(some.cloud, some.areas, q)));
   }
-  const double error = largestDifference(some.values(), expected);
+  const double error = largestRelativeDifference(some.values(), expected);
   record("error", error);
   EXPECT_LT(error, 1e-11); // measured: 5.0e-15
 }
@@ -176,8 +176,8 @@ TEST(DipoleSum, OtherUnitsOfLengthChangeNothingButRounding)
   double worst = 0;
   for (const double scale : {1e-100, 1e-30, 1e-6, 1e6, 1e30, 1e100})
   {
-    worst = std::max(
-      worst, largestDifference(unit.scaledAndMoved(scale, {0, 0, 0}).values(), unit.values()));
+    worst = std::max(worst,
+      largestRelativeDifference(unit.scaledAndMoved(scale, {0, 0, 0}).values(), unit.values()));
   }
   record("worst", worst);
   EXPECT_LT(worst, 1e-9); // measured: 8.9e-11
@@ -196,7 +196,7 @@ TEST(DipoleSum, FarFromTheOriginTheFieldIsTheSame)
   // The samples at 1e-8 are left out: the lattice is 4e-9 wide, and may bring them onto points.
   still.samples.resize(400);
   const Case moved = still.scaledAndMoved(1, {4e6, -3e6, 5e6});
-  const double error = largestDifference(moved.values(), still.values());
+  const double error = largestRelativeDifference(moved.values(), still.values());
   record("error", error);
   EXPECT_LT(error, 1e-12); // measured: 0
 }

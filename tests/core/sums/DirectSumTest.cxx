@@ -7,6 +7,7 @@
 #include "sums/ReferenceSum.h"
 #include "support/QuadAngle.h"
 #include "support/ReadObj.h"
+#include "support/Samples.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -36,17 +37,6 @@ std::vector<double> referenceOf(const Mesh& mesh, const std::vector<Point>& samp
     values.push_back(static_cast<double>(winding::referenceSum<long double>(surface, q)));
   }
   return values;
-}
-
-double largestDifference(const std::vector<double>& a, const std::vector<double>& b)
-{
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    // The comparison is written so that NaN counts as a difference.
-    largest = std::abs(a[i] - b[i]) <= largest ? largest : std::abs(a[i] - b[i]);
-  }
-  return largest;
 }
 
 std::map<std::string, Mesh> closedShapes()
@@ -169,7 +159,7 @@ TEST(TriangleSum, OfLongBoxesAndWiresIsAnInteger)
       {
         q = matrix * q;
       }
-      const Mesh turned = mesh.mapped([&](const Point& p) { return Point(matrix * p); });
+      const Mesh turned = mesh.mapped([&](const Point& p) -> Point { return matrix * p; });
       worstTurned =
         std::max(worstTurned, largestDifference(windingOf(turned, samples), expected) / length);
     }
@@ -291,7 +281,7 @@ TEST(TriangleSum, IsTheShareOfTheSolidAtVerticesOfTurnedSolids)
   turn = Eigen::AngleAxisd(1, Point(3, -1, 2).normalized());
   const Cells cells = randomCells(4, 15);
   const Mesh mesh = surfaceOf(cells);
-  const Mesh turned = mesh.mapped([&turn](const Point& p) -> Point { return turn * p; });
+  const Mesh turned = mesh.mapped([&](const Point& p) -> Point { return turn * p; });
   std::vector<double> expected;
   for (const Point& vertex : mesh.points)
   {

@@ -4,6 +4,7 @@
 
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
+#include "support/Samples.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -54,16 +55,6 @@ Case someCase()
 }
 
 constexpr const char* seeds = "seeds 31, 32, 33";
-
-double largestDifference(const std::vector<double>& a, const std::vector<double>& b)
-{
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    largest = std::abs(a[i] - b[i]) <= largest ? largest : std::abs(a[i] - b[i]);
-  }
-  return largest;
-}
 
 } // namespace
 
@@ -165,7 +156,7 @@ TEST(TriangleSumSymmetry, FarFromTheOriginClosedShapesStillGiveIntegers)
 {
   SCOPED_TRACE("seeds 35, 36");
   const Point far(4e6, -3e6, 5e6);
-  const Mesh sphere = icosphere(3).mapped([&](const Point& p) -> Point { return p + far; });
+  const Mesh sphere = icosphere(3).moved(far);
   std::vector<Point> samples = randomPoints(500, -1.5, 1.5, 35);
   for (Point& q : samples)
   {

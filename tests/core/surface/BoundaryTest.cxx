@@ -5,12 +5,12 @@
 #include "source/CompareCoordinates.h"
 #include "source/Surface.h"
 #include "support/LatticeChain.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <map>
 #include <set>
 
@@ -62,7 +62,6 @@ Counts countsOf(const BoundaryChain& chain)
 
 BoundaryLoops loopsOf(const BoundaryChain& chain, const winding::Surface& surface)
 {
-  winding::SerialExecutor serial;
   const auto loops = winding::boundaryLoops(chain.edges, surface.vertices.size(), serial);
   ShuffledThreads threads(394);
   const auto again = winding::boundaryLoops(chain.edges, surface.vertices.size(), threads);
@@ -135,18 +134,6 @@ std::vector<std::size_t> loopSizes(const Mesh& mesh)
     sizes.push_back(loops[i].size());
   }
   return sizes;
-}
-
-/// Pages that all leave the edge from (0, 0, 0) to (0, 0, 1) in the same direction.
-Mesh book(std::int32_t pages)
-{
-  Mesh mesh{{{0, 0, 0}, {0, 0, 1}}, {}};
-  for (std::int32_t i = 0; i < pages; ++i)
-  {
-    mesh.points.push_back({std::cos(i), std::sin(i), 0.5});
-    mesh.triangles.push_back({0, 1, i + 2});
-  }
-  return mesh;
 }
 
 using Sizes = std::vector<std::size_t>;
@@ -236,7 +223,7 @@ TEST(BoundaryLoops, SplitWhereHolesTouchInAVertex)
 {
   // Two squares of a plane share a corner: one walk of eight edges would visit it twice.
   const Mesh square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
-  const Mesh other = square.mapped([](const Point& p) -> Point { return p + Point(1, 1, 0); });
+  const Mesh other = square.moved({1, 1, 0});
   EXPECT_EQ(loopSizes(square.with(other)), (Sizes{4, 4}));
 }
 
@@ -278,7 +265,6 @@ TEST(SortedByCoordinates, OrdersManyEdgesAlikeOnAnyThreads)
       const Point &a = vertices[edge.from], &b = vertices[edge.to];
       return winding::compareCoordinates(a, b) < 0 ? std::pair(a, b) : std::pair(b, a);
     };
-    winding::SerialExecutor serial;
     const auto sorted = winding::sortedByCoordinates(edges, vertices, serial);
     ShuffledThreads threads(105);
     const auto again =

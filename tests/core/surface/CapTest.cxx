@@ -4,6 +4,7 @@
 
 #include "source/Surface.h"
 #include "support/LatticeChain.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -15,14 +16,12 @@ namespace
 {
 
 using namespace shapes;
-using winding::BoundaryLoop;
 using winding::BoundaryLoops;
 using winding::Triangle;
 using winding::TriangleList;
 
 BoundaryLoops loopsOf(const winding::Surface& surface)
 {
-  winding::SerialExecutor serial;
   return winding::boundaryLoops(boundaryOf(surface).edges, surface.vertices.size(), serial);
 }
 

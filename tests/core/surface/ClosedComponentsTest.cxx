@@ -6,6 +6,7 @@
 #include "rays/CrossingTree.h"
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
@@ -26,13 +27,11 @@ using winding::Surface;
 
 Components componentsOf(const Surface& surface)
 {
-  winding::SerialExecutor serial;
   return winding::componentsOf(surface, winding::edgesOf(surface, serial));
 }
 
 std::vector<ClosedComponent> closedComponents(const Mesh& mesh)
 {
-  winding::SerialExecutor serial;
   const Surface surface = clean(mesh);
   return winding::closedComponents(surface, componentsOf(surface), serial);
 }
@@ -54,11 +53,6 @@ Mesh box(const Point& center, double halfSide)
 {
   const Point half = Point::Constant(halfSide);
   return cube(center - half, center + half);
-}
-
-Mesh ball(const Point& center, double radius, int levels = 2)
-{
-  return icosphere(levels).mapped([=](const Point& p) { return Point(center + radius * p); });
 }
 
 /// The triangles of one component, with their vertices.
@@ -258,11 +252,9 @@ TEST(ClosedComponents, AreTheSameFarAwayAndAtAnySize)
   EXPECT_EQ(nestOf(nest), expected);
   for (const double scale : {1e-100, 1e-30, 1e30, 1e99})
   {
-    EXPECT_EQ(nestOf(nest.mapped([scale](const Point& p) { return Point(scale * p); })), expected)
-      << scale;
+    EXPECT_EQ(nestOf(nest.scaled(scale)), expected) << scale;
   }
-  EXPECT_EQ(
-    nestOf(nest.mapped([](const Point& p) { return Point(p + Point(3e9, -8e9, 5e9)); })), expected);
+  EXPECT_EQ(nestOf(nest.moved({3e9, -8e9, 5e9})), expected);
   // A speck lies within something large.
   const Mesh speck = box({0.5, 0.25, 0}, 1e-12).with(box({0, 0, 0}, 1e6));
   EXPECT_EQ(nestOf(speck), (Nest{{1, 1}, {1, 0}}));
@@ -356,7 +348,6 @@ TEST(ClosedComponents, DependOnNoExecutor)
   }
   const Surface surface = clean(balls);
   const Components components = componentsOf(surface);
-  winding::SerialExecutor serial;
   ShuffledThreads threads(652);
   const auto expected = winding::closedComponents(surface, components, serial);
   const auto found = winding::closedComponents(surface, components, threads);

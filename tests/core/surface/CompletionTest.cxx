@@ -7,7 +7,9 @@
 #include "field/Field.h"
 #include "source/Sanitize.h"
 #include "source/SnappedPoints.h"
+#include "support/Fields.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 #include "surface/FlatBase.h"
@@ -32,22 +34,6 @@ namespace
 using namespace shapes;
 using winding::FieldOptions;
 using winding::Surface;
-
-std::shared_ptr<const winding::Field> fieldOf(const Mesh& mesh, const FieldOptions& options)
-{
-  winding::SerialExecutor serial;
-  return winding::Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
-}
-
-std::vector<double> valuesAt(const winding::Field& field, const std::vector<Point>& samples)
-{
-  std::vector<double> values(samples.size());
-  winding::FieldOutput output;
-  output.doubleValues = values.data();
-  winding::SerialExecutor serial;
-  field.evaluate(winding::VectorsView(samples.front().data(), samples.size()), output, serial);
-  return values;
-}
 
 /// The mesh with vertices, triangles and their first corners in a random order.
 Mesh shuffled(const Mesh& mesh, Random& random)
@@ -348,9 +334,7 @@ TEST(Mirror, GivesCloudsTheirOtherHalf)
   }
   FieldOptions options;
   options.mirror = "y=0";
-  winding::SerialExecutor serial;
-  const auto field =
-    winding::Field::build(std::vector<winding::OrientedPointsView>{half.view()}, options, serial);
+  const auto field = fieldOf(half, options);
   EXPECT_EQ(field->info().primitives, 2 * half.positions.size() - 1) << "one is in the plane";
   const std::vector<double> values =
     valuesAt(*field, {{0, 0, 0}, {0, -0.5, 0}, {0, 0.5, 0}, {0, -2, 0}, {0, 2, 0}});
@@ -487,7 +471,6 @@ TEST(FlatBase, ClosesWhatIsOpenBelowAndLeavesOtherHoles)
   Mesh holed;
   holed.points = dome.points;
   holed.triangles.assign(dome.triangles.begin() + 1, dome.triangles.end());
-  winding::SerialExecutor serial;
   for (const auto& [text, place] :
     {std::pair<std::string, double>{"down", -0.4}, {"z=-2", -2}, {"-z", -0.4}})
   {
@@ -661,7 +644,6 @@ TEST(FlatBase, ClosesRingsInTheirPlane)
   // The upper half of a torus: its two rims lie in the base, and run in opposite directions.
   const Mesh half = kept(torus(48, 24), [](const Point& p) { return p[2] > -1e-9; });
   Surface surface = clean(half);
-  winding::SerialExecutor serial;
   const winding::BasedOpenings found = winding::FlatBase("z=0").addTo(surface, serial);
   EXPECT_EQ(found.closed, 2u);
   EXPECT_EQ(netBoundary(surface), 0u);
@@ -721,7 +703,6 @@ TEST(FlatBase, KeepsBoresOpen)
 
 TEST(FlatBase, TakesSoupsWhereEdgesCountTwice)
 {
-  winding::SerialExecutor serial;
   for (unsigned seed = 0; seed < 300; ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -842,7 +823,6 @@ TEST(SheetSide, DividesInAllMethodsAndForms)
       winding::FieldOutput output;
       output.distances = distances.data();
       output.inside = inside.data();
-      winding::SerialExecutor serial;
       field->evaluate(winding::VectorsView(samples.front().data(), samples.size()), output, serial);
       for (std::size_t i = 0; i < samples.size(); ++i)
       {
@@ -871,7 +851,6 @@ TEST(SnappedPoints, MakeOneOfThoseThatAreNear)
   }
   EXPECT_GT(netBoundary(clean(soup)), 3000u);
   const winding::VectorsView view(soup.points.front().data(), soup.points.size());
-  winding::SerialExecutor serial;
   const auto snapped = winding::snappedPoints({view}, 2.1e-4, serial);
   Mesh closed = soup;
   double farthest = 0;
@@ -902,7 +881,6 @@ TEST(SnappedPoints, KeepWhatIsFarAndWhatIsNoPlace)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> points = {0, 0, 0, 1, 0, 0, nan, 0, 0, 1e90, 1, 1, -0.0, 0, 0};
-  winding::SerialExecutor serial;
   for (const double tolerance : {0.0, 1e-9, 0.999})
   {
     const auto found = winding::snappedPoints({{points.data(), 5}}, tolerance, serial)[0];
@@ -950,7 +928,6 @@ TEST(Mirror, LeavesViewpointsToTheHalfThatWasSeen)
   options.mirror = "y=0";
   options.estimateNormals = true;
   options.toward = "0 50 0";
-  winding::SerialExecutor serial;
   const auto field = winding::Field::build(
     std::vector<winding::OrientedPointsView>{
       {winding::VectorsView(half.front().data(), half.size()), {}, {}}},
@@ -1018,7 +995,6 @@ TEST(FlatBase, TakesAnyCapForManyCorners)
     walls.triangles.push_back({i, next, count + next});
     walls.triangles.push_back({i, count + next, count + i});
   }
-  winding::SerialExecutor serial;
   Surface surface = clean(walls);
   EXPECT_EQ(winding::FlatBase("down").addTo(surface, serial).closed, 1u);
   EXPECT_EQ(winding::FlatBase("up").addTo(surface, serial).closed, 1u);
@@ -1053,7 +1029,6 @@ TEST(SheetSide, SaysWhereItDecidesNothing)
 TEST(SnappedPoints, TakeTinyTolerancesAndSmallOnes)
 {
   const std::vector<Point> points = randomPoints(20000, -1, 1, 61);
-  winding::SerialExecutor serial;
   const winding::VectorsView view(points.front().data(), points.size());
   for (const double tolerance : {1e-320, 1e-300, 1e-18})
   {

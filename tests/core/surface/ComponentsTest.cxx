@@ -316,7 +316,7 @@ TEST(Components, PartSolidsThatTouch)
     stack.push_back(cube(Point(0, 0, i), Point(1, 1, i + 1)));
     const Point low(i % 2, i / 2 % 2, i / 4);
     block.push_back(cube(low, low + Point(1, 1, 1)));
-    turned.push_back(block.back().mapped([&turn](const Point& p) -> Point { return turn * p; }));
+    turned.push_back(block.back().mapped([&](const Point& p) -> Point { return turn * p; }));
   }
   expectOneComponentEach(stack, 771);
   expectOneComponentEach(block, 771);

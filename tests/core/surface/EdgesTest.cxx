@@ -3,6 +3,7 @@
 #include "surface/Edges.h"
 
 #include "source/Surface.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,6 @@ std::map<Edge, std::vector<Use>> usesByDefinition(const winding::Surface& surfac
 std::vector<std::pair<Edge, std::vector<Use>>> usesFound(const winding::Surface& surface)
 {
   std::vector<std::pair<Edge, std::vector<Use>>> found;
-  winding::SerialExecutor serial;
   winding::EdgeUses(surface, serial)
     .forEachEdge(
       [&](std::int32_t low, const winding::EdgeUse* first, const winding::EdgeUse* last)

@@ -4,6 +4,8 @@
 
 #include "field/Field.h"
 #include "support/EdgesOf.h"
+#include "support/Fields.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +31,6 @@ Mesh square(double side, double x)
 OpenParts openPartsOf(const Mesh& mesh)
 {
   const Surface surface = clean(mesh);
-  winding::SerialExecutor serial;
   return openPartsInside(surface, edgesOf(surface), serial);
 }
 
@@ -157,10 +158,9 @@ TEST(OpenParts, AFieldLeavesThemOutIfItIsAskedTo)
 {
   const Mesh box = cube({-1, -1, -1}, {1, 1, 1}).with(square(0.9, 0));
   const double places[6] = {0.1, 0, 0, -0.1, 0, 0};
-  winding::SerialExecutor serial;
   winding::FieldOptions options;
   options.ignoreOpenParts = true;
-  const auto field = winding::Field::build({box.view()}, options, serial);
+  const auto field = fieldOf(box, options);
   float w[2] = {};
   winding::FieldOutput output;
   output.values = w;

@@ -4,6 +4,7 @@
 
 #include "source/SourceArea.h"
 #include "support/EdgesOf.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "surface/Orientation.h"
 
@@ -123,7 +124,6 @@ TEST(Openings, LetEachInwardHalfBeTurnedByItself)
   };
   const Mesh halves = at(0).with(at(3).reversed()).with(at(6)).with(at(9));
   winding::Surface surface = clean(halves);
-  winding::SerialExecutor serial;
   const winding::Orientation found = orient(surface, {}, serial);
   EXPECT_EQ(found.components, 1u);
   EXPECT_EQ(found.triangles, half.triangles.size());
@@ -131,7 +131,6 @@ TEST(Openings, LetEachInwardHalfBeTurnedByItself)
 
 TEST(Openings, LetAnInwardHalfBeTurned)
 {
-  winding::SerialExecutor serial;
   for (const int coordinates : {1, 2, 3})
   {
     const Mesh half = partOfSphere(coordinates);

@@ -6,6 +6,7 @@
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
 #include "support/EdgesOf.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 #include "surface/NearlyClosed.h"
@@ -13,7 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
@@ -26,7 +26,6 @@ using winding::SurfaceEdges;
 
 Orientation orient(const Surface& surface, const PolygonParts& parts = PolygonParts())
 {
-  winding::SerialExecutor serial;
   return winding::orient(surface, parts, serial);
 }
 
@@ -68,11 +67,6 @@ template <class List> void shuffle(List& list, Random& random)
   {
     std::swap(list[i - 1], list[random.bits() % i]);
   }
-}
-
-Mesh ball(const Point& center, double radius, int levels = 2)
-{
-  return icosphere(levels).mapped([=](const Point& p) { return Point(center + radius * p); });
 }
 
 std::size_t disagreements(const Surface& surface)
@@ -354,7 +348,6 @@ TEST(Orientation, LeavesSolidsThatOverlapAndConform)
   };
   const Mesh both = block(0, 2).with(block(1, 3));
   const Surface surface = clean(both);
-  winding::SerialExecutor serial;
   EXPECT_GT(edgesOf(surface).crowds.size(), 0u);
   EXPECT_EQ(orient(surface, {}, serial).triangles, 0u);
 }
@@ -381,7 +374,6 @@ TEST(Orientation, OfASolidInAnOpenOneIsOutward)
   expectTriangles(oriented(inTub), inTub);
   expectTriangles(oriented(shuffled(inTub, 744)), inTub);
   const Surface surface = clean(inTub);
-  winding::SerialExecutor serial;
   const winding::SurfaceReport report = winding::reportOn(surface, edgesOf(surface), serial);
   EXPECT_EQ(report.orientation.inverted, 0u) << "orient() and the report are of one mind";
   EXPECT_EQ(report.orientation.nestedSolids, 0u);
@@ -564,14 +556,9 @@ TEST(Orientation, IsTheSameFarAwayAndAtAnySize)
   const std::vector<char> expected = orient(clean(mesh)).isTurned;
   for (const double scale : {1e-100, 1e99})
   {
-    EXPECT_EQ(
-      orient(clean(mesh.mapped([scale](const Point& p) { return Point(scale * p); }))).isTurned,
-      expected);
+    EXPECT_EQ(orient(clean(mesh.scaled(scale))).isTurned, expected);
   }
-  EXPECT_EQ(
-    orient(clean(mesh.mapped([](const Point& p) { return Point(p + Point(1e7, -2e7, 3e7)); })))
-      .isTurned,
-    expected);
+  EXPECT_EQ(orient(clean(mesh.moved({1e7, -2e7, 3e7}))).isTurned, expected);
 }
 
 TEST(Orientation, OfSoupsIsTheSameForEveryExecutorAndEndsSoon)

@@ -5,6 +5,8 @@
 #include "diagnosis/Diagnosis.h"
 #include "field/Field.h"
 #include "support/EdgesOf.h"
+#include "support/Fields.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "surface/Orientation.h"
 
@@ -21,7 +23,6 @@ namespace
 using namespace shapes;
 using winding::FaceKind;
 using winding::Orientation;
-using winding::PolygonParts;
 using winding::RepeatedFaces;
 using winding::Surface;
 
@@ -45,7 +46,6 @@ Mesh withRepeated(Mesh mesh, std::size_t first, std::size_t last, bool isTurned)
 Surface outward(const Mesh& mesh)
 {
   Surface surface = clean(mesh);
-  winding::SerialExecutor serial;
   apply(orient(surface, {}, serial), surface);
   return surface;
 }
@@ -110,11 +110,6 @@ Mesh patchedSphere(bool first)
     sphere.triangles.push_back({south, south - sectors + next, south - sectors + j});
   }
   return sphere;
-}
-
-Mesh moved(const Mesh& mesh, const Point& by)
-{
-  return mesh.mapped([by](const Point& p) { return Point(p + by); });
 }
 
 /// Cuts the faces of two triangles, which follow each other, along their other diagonals.
@@ -304,7 +299,7 @@ TEST(RepeatedFaces, TrianglesOfQuadrilateralsAreEqualHoweverTheyAreCut)
   // Two tetrahedra at an edge.
   const Mesh thin =
     tetrahedron().mapped([](const Point& p) { return Point(p[0], p[1], 0.3 * p[2]); });
-  EXPECT_FALSE(repeatedFaces(clean(thin.with(moved(thin, {1, 0, 0}))), {}).areAny());
+  EXPECT_FALSE(repeatedFaces(clean(thin.with(thin.moved({1, 0, 0}))), {}).areAny());
 }
 
 TEST(RepeatedFaces, OneOfEachPairGivesTheSolidBack)
@@ -333,20 +328,20 @@ TEST(RepeatedFaces, OneOfEachPairGivesTheSolidBack)
 TEST(RepeatedFaces, WallsOfSolidsThatTouchStay)
 {
   // Two cubes with a wall in common, which each of them has.
-  const Surface stack = outward(cube().with(moved(cube(), {0, 0, 1})));
+  const Surface stack = outward(cube().with(cube().moved({0, 0, 1})));
   EXPECT_EQ(stack.triangles.size(), 24u);
   EXPECT_NEAR(volumeOf(stack), 2, 1e-12);
 
   // One of them drawn from both sides is a solid by itself.
   const Mesh twoSided = withRepeated(cube(), 0, 12, true);
-  const Surface both = outward(moved(cube(), {3, 0, 0}).with(twoSided));
+  const Surface both = outward(cube().moved({3, 0, 0}).with(twoSided));
   EXPECT_EQ(both.triangles.size(), 24u);
   EXPECT_NEAR(volumeOf(both), 2, 1e-12);
 }
 
 TEST(RepeatedFaces, NoWallStaysWhereASolidThatTouchesLooksInward)
 {
-  const Mesh stack = cube().with(moved(cube().reversed(), {0, 0, 1}));
+  const Mesh stack = cube().with(cube().reversed().moved({0, 0, 1}));
   EXPECT_EQ(repeatedFaces(clean(stack), {}).repeated, 2u);
   EXPECT_EQ(outward(stack).triangles.size(), 20u);
   EXPECT_NEAR(volumeOf(outward(stack)), 2, 1e-12);
@@ -360,7 +355,7 @@ TEST(RepeatedFaces, NoWallStaysWhereASolidThatTouchesLooksInward)
     for (int i = 0; i < 5; ++i)
     {
       const Mesh box = random(0, 1) < 0.5 ? cube().reversed() : cube();
-      column = column.with(moved(box, Point(0, 0, i)));
+      column = column.with(box.moved(Point(0, 0, i)));
     }
     EXPECT_NEAR(volumeOf(outward(shuffled(column, random))), 5, 1e-12);
   }
@@ -376,7 +371,7 @@ TEST(RepeatedFaces, NoWallStaysWhereASolidThatTouchesIsDrawnFromBothSides)
     Mesh block;
     for (int i = 0; i < 5; ++i)
     {
-      const Mesh box = moved(cube(), Point(0, 0, i));
+      const Mesh box = cube().moved(Point(0, 0, i));
       block = block.with(i == 2 || random(0, 1) < 0.5 ? withRepeated(box, 0, 12, true) : box);
     }
     EXPECT_NEAR(volumeOf(outward(shuffled(block, random))), 5, 1e-12);
@@ -424,10 +419,9 @@ TEST(RepeatedFaces, BoxesOfABlockAreSolidsWhateverIsWrongWithThem)
                                    : withRepeated(box, 0, 12, random(0, 1) < 0.5));
     }
     mesh = shuffled(mesh, random);
-    winding::SerialExecutor serial;
     winding::FieldOptions options;
     options.orientFaces = true;
-    const auto field = winding::Field::build({mesh.view()}, options, serial);
+    const auto field = fieldOf(mesh, options);
     std::vector<float> w(places.size());
     winding::FieldOutput output;
     output.values = w.data();
@@ -474,19 +468,18 @@ TEST(RepeatedFaces, AnOpenSheetKeepsOneSideUnlessItIsInsideOfASolid)
   sheet.triangles = {{0, 1, 2}, {0, 2, 1}};
   EXPECT_EQ(outward(sheet).triangles.size(), 1u);
   EXPECT_EQ(outward(cube().with(sheet)).triangles.size(), 12u) << "it bounded nothing before";
-  EXPECT_EQ(outward(cube().with(moved(sheet, {5, 0, 0}))).triangles.size(), 13u);
+  EXPECT_EQ(outward(cube().with(sheet.moved({5, 0, 0}))).triangles.size(), 13u);
 }
 
 TEST(RepeatedFaces, AFieldTakesThemOnceIfItIsAskedTo)
 {
   const Mesh twoSided = withRepeated(icosphere(2), 0, 320, true);
   const double place[3] = {0.1, 0.2, 0.3};
-  winding::SerialExecutor serial;
   winding::FieldOptions options;
   for (const bool orients : {false, true})
   {
     options.orientFaces = orients;
-    const auto field = winding::Field::build({twoSided.view()}, options, serial);
+    const auto field = fieldOf(twoSided, options);
     float w = -1;
     winding::FieldOutput output;
     output.values = &w;

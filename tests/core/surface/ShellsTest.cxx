@@ -84,7 +84,7 @@ TEST(Shells, WallsLieBetweenBoundedRegions)
       }
     }
     for (const Mesh& one : {mesh, mesh.mapped([](const Point& p) { return Point(p * 1e-9); }),
-           mesh.mapped([](const Point& p) { return Point(p + Point(1e5, -1e5, 3e5)); })})
+           mesh.moved({1e5, -1e5, 3e5})})
     {
       const std::vector<Region> regions = regionsIn(one, 2 * wedges);
       for (std::size_t i = 0; i < one.triangles.size(); ++i)

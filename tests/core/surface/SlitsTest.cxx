@@ -3,6 +3,7 @@
 #include "surface/Slits.h"
 
 #include "source/Surface.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <random>
@@ -33,7 +33,6 @@ struct Measured
 
 Measured measured(const Mesh& mesh)
 {
-  winding::SerialExecutor serial;
   Measured result;
   result.surface = clean(mesh);
   result.edges = winding::edgesOf(result.surface, serial);
@@ -110,8 +109,7 @@ Mesh sphereWithSeam(double width)
     const double height = (sphere.points[t[0]] + sphere.points[t[1]] + sphere.points[t[2]])[2];
     (height > 0 ? upper : lower).triangles.push_back(t);
   }
-  return lower.with(
-    upper.mapped([width](const Point& p) { return Point(p + Point(width, 0, 0)); }));
+  return lower.with(upper.moved({width, 0, 0}));
 }
 
 /// The unit cube, one of whose sides has a point in the middle of an edge, moved out by `width`,
@@ -239,15 +237,12 @@ TEST(Slits, HaveTheSameBitsForAnyThreadsOrderAndPowerOfTwo)
   }
   EXPECT_TRUE(valuesOf(measured(mesh), 1) == expected);
   const double scale = std::ldexp(1, 40);
-  EXPECT_TRUE(valuesOf(measured(mesh.mapped([scale](const Point& p) { return Point(scale * p); })),
-                scale) == expected);
+  EXPECT_TRUE(valuesOf(measured(mesh.scaled(scale)), scale) == expected);
 }
 
 TEST(Slits, OfALoopAreOfItsEdges)
 {
-  winding::SerialExecutor serial;
-  const Measured found = measured(openCube().with(
-    sphereWithSeam(1e-9).mapped([](const Point& p) { return Point(p + Point(5, 0, 0)); })));
+  const Measured found = measured(openCube().with(sphereWithSeam(1e-9).moved({5, 0, 0})));
   const winding::BoundaryChain chain = boundaryOf(found.surface);
   const auto loops = winding::boundaryLoops(chain.edges, found.surface.vertices.size(), serial);
   ASSERT_EQ(loops.size(), 3u);
@@ -272,8 +267,7 @@ TEST(Slits, OfALoopAreOfItsEdges)
 
 TEST(MedianEdgeLength, IsTheMiddleOfAllLengths)
 {
-  winding::SerialExecutor serial;
-  const auto median = [&serial](const Mesh& mesh)
+  const auto median = [](const Mesh& mesh)
   {
     const Surface surface = clean(mesh);
     return winding::medianEdgeLength(surface, winding::edgesOf(surface, serial), serial);

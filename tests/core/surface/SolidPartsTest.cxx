@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/SolidParts.h"
 
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
@@ -18,11 +19,6 @@ using namespace shapes;
 using winding::SolidParts;
 using winding::Surface;
 
-Mesh ball(const Point& center, double radius, int levels = 2)
-{
-  return icosphere(levels).mapped([=](const Point& p) { return Point(center + radius * p); });
-}
-
 Mesh operator+(const Mesh& a, const Mesh& b)
 {
   return a.with(b);
@@ -30,7 +26,6 @@ Mesh operator+(const Mesh& a, const Mesh& b)
 
 SolidParts partsOf(const Mesh& mesh)
 {
-  winding::SerialExecutor serial;
   return winding::solidPartsOf(clean(mesh), {}, serial);
 }
 
@@ -75,8 +70,7 @@ TEST(SolidParts, WallsOfCavitiesBelongToWhatIsAroundThem)
   // A solid that lies in another and looks outward is one of its own, and so is one that looks
   // inward and lies in nothing.
   EXPECT_EQ(sizesOf(shell + core), (Sizes{1280, 80}));
-  EXPECT_EQ(sizesOf(core + hole.mapped([](const Point& p) { return Point(p + Point(9, 0, 0)); })),
-    (Sizes{80, 20}));
+  EXPECT_EQ(sizesOf(core + hole.moved({9, 0, 0})), (Sizes{80, 20}));
 }
 
 TEST(SolidParts, DoNotDependOnTheOrderOfTrianglesOrThreads)
@@ -84,7 +78,6 @@ TEST(SolidParts, DoNotDependOnTheOrderOfTrianglesOrThreads)
   const Mesh mesh =
     ball({0, 0, 0}, 2) + ball({0, 0, 0}, 1).reversed() + ball({5, 0, 0}, 1) + ball({0, 5, 0}, 1, 1);
   const Surface surface = clean(mesh);
-  winding::SerialExecutor serial;
   const SolidParts expected = winding::solidPartsOf(surface, {}, serial);
   std::map<winding::Triangle, std::int32_t> solids;
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)

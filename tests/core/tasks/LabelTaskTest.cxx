@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tasks/LabelTask.h"
 
+#include "support/Serial.h"
 #include "support/SolidOnGrid.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,6 @@ struct Labeled
     const winding::Extent& extent = grid.wholeExtent())
     : labels(winding::sampleCount(extent))
   {
-    winding::SerialExecutor serial;
     winding::Run run{
       serial, [this](const winding::Message& message) { warnings.push_back(message.fault); }, {}};
     winding::LabelArrays arrays;
@@ -75,8 +75,8 @@ TEST(LabelTask, WarnsOfSolidsThatAreNotAsTheirOwnerExpects)
   EXPECT_EQ(Labeled({box.part(0, 10)}).warnings, Warnings({"some solids have holes"}));
   EXPECT_EQ(Labeled({box.reversed(), within}).warnings,
     Warnings({"some solids look inward and have no label"}));
-  EXPECT_EQ(Labeled({box, moved(within, {9, 9, 9})}).warnings,
-    Warnings({"the grid misses some solids"}));
+  EXPECT_EQ(
+    Labeled({box, within.moved({9, 9, 9})}).warnings, Warnings({"the grid misses some solids"}));
   EXPECT_EQ(Labeled({box, cube({0.06, 0.06, 1.06}, {0.14, 0.14, 1.14})}).warnings,
     Warnings({"some solids have no voxel inside"}));
   EXPECT_EQ(Labeled({box, within}).warnings, Warnings({"others hide all voxels of some solids"}));
@@ -86,7 +86,7 @@ TEST(LabelTask, WarnsOfSolidsThatAreNotAsTheirOwnerExpects)
 TEST(LabelTask, SaysNothingOfTheGridForAPieceOfIt)
 {
   const Mesh box = cube({0, 0, 0}, {1, 1, 1});
-  const Labeled found({box, moved(box, {9, 9, 9})}, OverlapRule::first, {0, 19, 0, 19, 5, 6});
+  const Labeled found({box, box.moved({9, 9, 9})}, OverlapRule::first, {0, 19, 0, 19, 5, 6});
   EXPECT_EQ(found.warnings, Warnings());
   EXPECT_EQ(found.count(1), 200);
 }

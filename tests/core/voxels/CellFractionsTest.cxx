@@ -4,8 +4,10 @@
 #include "base/Executor.h"
 #include "base/Views.h"
 #include "field/Field.h"
+#include "support/Fields.h"
 #include "support/Interruption.h"
 #include "support/Samples.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 #include "support/ThreadSeconds.h"
@@ -121,17 +123,10 @@ CellList tetrahedraOf(const CellList& hexahedra)
   return cells;
 }
 
-std::shared_ptr<const Field> fieldOf(const Mesh& mesh)
-{
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, {}, serial);
-}
-
 std::vector<float> fractionsOf(const Field& field, const winding::CellShapes& cells,
   InsideRule rule = InsideRule::signedThreshold, double threshold = 0.5,
   winding::CellsWithoutFraction* counts = nullptr)
 {
-  winding::SerialExecutor serial;
   std::vector<float> fractions(cells.size(), -1.0F);
   const winding::CellsWithoutFraction found =
     winding::evaluateFractions(field, cells, rule, threshold, fractions.data(), serial);
@@ -343,7 +338,7 @@ Point warped(const Point& p)
 
 TEST(CellFractions, AddUpToTheVolumeInCellsOfAllTypes)
 {
-  const Mesh sphere = icosphere(3).mapped([](const Point& p) -> Point { return 0.9 * p; });
+  const Mesh sphere = icosphere(3).scaled(0.9);
   const double volume = volumeOf(cellOf(sphere)[0]);
   const auto field = fieldOf(sphere);
   const CellList hexahedra = boxes(9, 1.0, still);
@@ -480,7 +475,7 @@ TEST(CellFractions, AddUpWhereThinSolidsPassThroughEachOther)
 
 TEST(CellFractions, AddUpInHexahedraWithFacesThatAreNotPlanar)
 {
-  const Mesh sphere = icosphere(3).mapped([](const Point& p) -> Point { return 0.7 * p; });
+  const Mesh sphere = icosphere(3).scaled(0.7);
   const double volume = volumeOf(cellOf(sphere)[0]);
   const CellList cells = boxes(7, 1, warped);
   const std::vector<float> fractions = fractionsOf(*fieldOf(sphere), cells);
@@ -503,14 +498,12 @@ TEST(CellFractions, OfACellThatIsTheSolidAreOne)
 {
   // All triangles lie in the faces of the cells.
   const Mesh sphere = icosphere(2), ring = torus(24, 12);
-  for (const Mesh& mesh : {sphere, ring,
-         sphere.mapped([](const Point& p) -> Point { return p + Point(1e6, -3e6, 2e6); })})
+  for (const Mesh& mesh : {sphere, ring, sphere.moved({1e6, -3e6, 2e6})})
   {
     EXPECT_FLOAT_EQ(fractionsOf(*fieldOf(mesh), cellOf(mesh))[0], 1);
     EXPECT_FLOAT_EQ(fractionsOf(*fieldOf(mesh), cellOf(mesh.reversed()))[0], 1);
   }
-  EXPECT_NEAR(fractionsOf(*fieldOf(ring),
-                cellOf(icosphere(2).mapped([](const Point& p) -> Point { return 2 * p; })))[0],
+  EXPECT_NEAR(fractionsOf(*fieldOf(ring), cellOf(icosphere(2).scaled(2)))[0],
     volumeOf(cellOf(ring)[0]) / (8 * volumeOf(cellOf(sphere)[0])), 1e-6);
 }
 
@@ -671,8 +664,7 @@ std::shared_ptr<const Field> layers(double gap)
     return surfaceOf(cells).mapped(
       [&](const Point& p) -> Point { return Point(p[0], p[1], p[2] * squares) / squares; });
   };
-  return fieldOf(block(20).with(
-    block(23).mapped([&](const Point& p) -> Point { return p + Point(0, 0, 1 + gap); })));
+  return fieldOf(block(20).with(block(23).moved({0, 0, 1 + gap})));
 }
 
 TEST(CellFractions, TakeNoLongerWhereLayersAreNearEachOther)
@@ -743,7 +735,6 @@ TEST(CellFractions, OfTanglesAreMeansOverRays)
       output.inside = inside.data();
       output.rule = rule;
       output.threshold = threshold;
-      winding::SerialExecutor serial;
       field->evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, serial);
       const double expected =
         static_cast<double>(std::count(inside.begin(), inside.end(), 1)) / 60'000;
@@ -816,7 +807,6 @@ double sampledShare(const Field& field, const winding::CellShape& box)
   std::vector<unsigned char> inside(samples.size());
   winding::FieldOutput output;
   output.inside = inside.data();
-  winding::SerialExecutor serial;
   field.evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, serial);
   return static_cast<double>(std::count(inside.begin(), inside.end(), 1)) /
          static_cast<double>(inside.size());
@@ -825,7 +815,6 @@ double sampledShare(const Field& field, const winding::CellShape& box)
 /// A cell that meets no triangle has a share where w passes the threshold, too.
 TEST(CellFractions, AreNearThoseOfSamplesInOpenings)
 {
-  winding::SerialExecutor serial;
   const auto field = fieldOf(shapes::openCube());
   CellList cells;
   cells.add(hexahedron, cornersOf({0.8319, 0.1802, 0.8253}, {0.9716, 0.4952, 1.5866}));
@@ -836,10 +825,8 @@ TEST(CellFractions, AreNearThoseOfSamplesInOpenings)
 
 TEST(CellFractions, AreNearThoseOfSamplesWhereSourcesAreOpen)
 {
-  winding::SerialExecutor serial;
   const Cloud points = sphereCloud(400);
-  const auto cloud =
-    Field::build(std::vector<winding::OrientedPointsView>{points.view()}, {}, serial);
+  const auto cloud = fieldOf(points);
   const auto open = fieldOf(icosphere(3).part(0, 1000));
   const auto soup = fieldOf(triangleSoup(100, 71));
   const CellList cells = boxes(6, 1.2, still);

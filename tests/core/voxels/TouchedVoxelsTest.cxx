@@ -5,6 +5,7 @@
 #include "base/Executor.h"
 #include "source/PointCloud.h"
 #include "source/Surface.h"
+#include "support/Grids.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 
@@ -259,10 +260,7 @@ TEST(TouchedVoxels, HoldEveryPointOfTheSurfaceWhereverTheGridLies)
       Random random(62);
       const Mesh mesh = shapes::triangleSoup(60, 62).mapped(
         [&](const Point& p) -> Point { return scale * (p + Point::Constant(offset)); });
-      winding::GridRequest request;
-      request.bounds = shapes::clean(mesh).bounds;
-      request.resolution = 23;
-      const Grid grid = winding::setUpGrid(request);
+      const Grid grid = shapes::gridAround(shapes::clean(mesh).bounds, 23);
       const Marks marks = marksOf(mesh, grid);
       EXPECT_LT(std::count(marks.begin(), marks.end(), 1),
         static_cast<std::ptrdiff_t>(marks.size()) * 3 / 4);
@@ -293,10 +291,7 @@ TEST(TouchedVoxels, HoldEveryPointOfTheSurfaceWhereverTheGridLies)
 TEST(TouchedVoxels, PartsAndThreadsHaveTheBitsOfTheWhole)
 {
   const Mesh mesh = shapes::triangleSoup(300, 63);
-  winding::GridRequest request;
-  request.bounds = shapes::clean(mesh).bounds;
-  request.resolution = 31;
-  const Grid grid = winding::setUpGrid(request);
+  const Grid grid = shapes::gridAround(shapes::clean(mesh).bounds, 31);
   const Marks whole = marksOf(mesh, grid);
   shapes::ShuffledThreads threads(64);
   EXPECT_EQ(marksOf(mesh, grid, grid.wholeExtent(), threads), whole);

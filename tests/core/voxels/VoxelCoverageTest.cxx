@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/Executor.h"
 #include "base/Refusal.h"
-#include "base/Views.h"
 #include "source/Surface.h"
+#include "support/Fields.h"
+#include "support/Grids.h"
 #include "support/Interruption.h"
+#include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
 #include "voxels/CoverageFractions.h"
@@ -16,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 
 /**
  * These tests compare which parts of voxels are inside with w at single points, summed by
@@ -38,20 +39,6 @@ struct Source
   std::shared_ptr<const Field> field;
   bool isInteger; ///< whether w is an integer off the surface
 };
-
-std::shared_ptr<const Field> fieldOf(const Mesh& mesh, Method method = Method::automatic)
-{
-  winding::FieldOptions options;
-  options.method = method;
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::TrianglesView>{mesh.view()}, options, serial);
-}
-
-std::shared_ptr<const Field> fieldOf(const Cloud& cloud)
-{
-  winding::SerialExecutor serial;
-  return Field::build(std::vector<winding::OrientedPointsView>{cloud.view()}, {}, serial);
-}
 
 Mesh twoSpheres()
 {
@@ -79,11 +66,7 @@ std::vector<Source> sources()
 /// A grid around a field, of voxels that are not cubes.
 Grid gridOf(const Field& field, const Eigen::Vector3i& dimensions)
 {
-  winding::GridRequest request;
-  request.bounds = field.info().bounds;
-  request.padding = 0.07;
-  request.dimensions = dimensions;
-  return winding::setUpGrid(request);
+  return gridAround(field.info().bounds, dimensions, 0.07);
 }
 
 std::vector<unsigned char> overlapOf(const Field& field, const Grid& grid, const Extent& extent,
@@ -125,7 +108,6 @@ constexpr InsideRule rules[] = {
 
 TEST(VoxelOverlap, IsCentreOrCornerInsideOrSurfaceTouched)
 {
-  winding::SerialExecutor serial;
   std::vector<Source> all = sources();
   all.push_back({"half-turned sphere", fieldOf(halfTurned(icosphere(2))), false});
   // The membrane of an opening looks to every side, so that each corner decides alone somewhere.
@@ -187,7 +169,6 @@ TEST(VoxelOverlap, IsCentreOrCornerInsideOrSurfaceTouched)
 
 TEST(CoverageFractions, AreTheSharesOfSamplesThatAreInside)
 {
-  winding::SerialExecutor serial;
   double mostUndecided = 0; // in per cent
   for (const Source& source : sources())
   {
@@ -233,7 +214,6 @@ TEST(CoverageFractions, AreTheSharesOfSamplesThatAreInside)
 
 TEST(CoverageFractions, SamplesOfOneAreTheCentres)
 {
-  winding::SerialExecutor serial;
   for (const Source& source : sources())
   {
     const Grid grid = gridOf(*source.field, {12, 11, 10});
@@ -251,7 +231,6 @@ TEST(CoverageFractions, SamplesOfOneAreTheCentres)
 /// Fractions that rows add up are equal to those from sums at every sample.
 TEST(CoverageFractions, RowsAndSumsAgree)
 {
-  winding::SerialExecutor serial;
   const Mesh mesh = twoSpheres();
   const std::shared_ptr<const Field> rows = fieldOf(mesh);
   const std::shared_ptr<const Field> sums = fieldOf(mesh, Method::direct);
@@ -271,7 +250,6 @@ TEST(CoverageFractions, RowsAndSumsAgree)
 
 TEST(VoxelCoverage, PartsAndThreadsHaveTheBitsOfTheWhole)
 {
-  winding::SerialExecutor serial;
   shapes::ShuffledThreads threads(72);
   for (const Source& source : sources())
   {
@@ -298,7 +276,6 @@ TEST(VoxelCoverage, PartsAndThreadsHaveTheBitsOfTheWhole)
 /// Samples that do not fit into memory at once are taken in parts.
 TEST(CoverageFractions, ManySamplesComeInParts)
 {
-  winding::SerialExecutor serial;
   const std::shared_ptr<const Field> field = fieldOf(openCube());
   const Grid grid = gridOf(*field, {50, 46, 60});
   std::vector<float> fractions(winding::sampleCount(grid.wholeExtent()));
@@ -321,10 +298,9 @@ TEST(CoverageFractions, ManySamplesComeInParts)
 /// The bits of one field after the other have the share of samples that are inside of any.
 TEST(CoverageFractions, BitsUniteFields)
 {
-  winding::SerialExecutor serial;
   const std::shared_ptr<const Field> fields[] = {fieldOf(icosphere(2)),
-    fieldOf(icosphere(2).mapped([](const Point& p) { return Point(p + Point(0.7, 0.2, 0.1)); })),
-    fieldOf(openCube()), fieldOf(triangleSoup(40, 3))};
+    fieldOf(icosphere(2).moved({0.7, 0.2, 0.1})), fieldOf(openCube()),
+    fieldOf(triangleSoup(40, 3))};
   const Grid grid = gridOf(*fields[0], {9, 7, 8});
   for (const Extent& extent : {grid.wholeExtent(), Extent{2, 8, 1, 3, 3, 6}})
   {
@@ -379,7 +355,6 @@ TEST(CoverageFractions, ExpectTheMemoryOfAPart)
 
 TEST(CoverageFractions, OneVoxelHasTheVolumeOfTheSource)
 {
-  winding::SerialExecutor serial;
   const std::shared_ptr<const Field> field = fieldOf(icosphere(3));
   Grid grid = gridOf(*field, {1, 1, 1});
   const std::vector<float> fraction =
