@@ -136,17 +136,17 @@ int vtkWindingNumberReader::RequestData(
       this->ErrorCode = errorCodeOf(refusal.fault());
       throw;
     }
-    catch (const winding::Refusal&)
-    {
-      this->ErrorCode = vtkErrorCode::UserError; // of Columns
-      throw;
-    }
   };
   const std::string name = this->FileName ? this->FileName : "";
   const std::string withoutMemory = name + ": there is not enough memory for what it holds";
-  if (winding::reportErrors(this, withoutMemory, read) == winding::Outcome::done)
+  const winding::Outcome outcome = winding::reportErrors(this, withoutMemory, read);
+  if (outcome == winding::Outcome::done)
   {
     return 1;
+  }
+  if (this->ErrorCode == vtkErrorCode::NoError)
+  {
+    this->ErrorCode = winding::errorCodeOf(outcome);
   }
   output->Initialize();
   return 0;

@@ -6,12 +6,29 @@
 #include "messages/Options.h"
 #include "pipeline/FreeMemory.h"
 
+#include "vtkErrorCode.h"
 #include "vtkObject.h"
 
+#include <cerrno>
 #include <new>
 
 namespace winding
 {
+
+unsigned long errorCodeOf(Outcome outcome)
+{
+  switch (outcome)
+  {
+  case Outcome::refused:
+    return vtkErrorCode::UserError;
+  case Outcome::outOfMemory:
+    return ENOMEM;
+  case Outcome::done:
+  case Outcome::interrupted:
+    break;
+  }
+  return vtkErrorCode::NoError;
+}
 
 Outcome reportErrors(vtkObject* object, const Message& withoutMemory,
   const std::function<void()>& work, const std::function<bool()>& isNew)

@@ -26,14 +26,18 @@ enum class Outcome
   interrupted = 3
 };
 
+/// Returns the ErrorCode of algorithms that end so: UserError where work was refused, the system's
+/// ENOMEM where memory ran out. An interruption is no error.
+unsigned long errorCodeOf(Outcome outcome);
+
 /**
  * Does work for a VTK object, and reports an exception as an error of this object, in one line. An
  * interruption is no error. `withoutMemory` tells of a failed allocation. Where
  * `isNew` is given, it is asked whether the error is to be reported.
  *
- * An algorithm answers the pipeline afterwards as if it had done its work, and leaves its output
- * empty. Where a request fails, the executive and filters behind add errors of their own, and
- * ParaView asks again with every picture.
+ * An algorithm answers the pipeline afterwards as if it had done its work, sets its ErrorCode and
+ * leaves its output empty: the executive prints 14 lines for each request that fails, and again for
+ * each filter behind.
  */
 Outcome reportErrors(vtkObject* object, const Message& withoutMemory,
   const std::function<void()>& work, const std::function<bool()>& isNew = {});

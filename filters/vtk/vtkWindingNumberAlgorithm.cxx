@@ -224,6 +224,7 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
   {
     this->Status = this->InformationStatus;
   }
+  this->ErrorCode = winding::errorCodeOf(static_cast<winding::Outcome>(this->Status));
   if (this->Status == DONE && wantsData)
   {
     this->TimeOfLastError = 0;

@@ -171,7 +171,8 @@ public:
     CLOUD_SOURCE = 2 ///< a source of points without those cells
   };
 
-  /// The ways in which an execution ends.
+  /// The ways in which an execution ends. GetErrorCode() is UserError (vtkErrorCode.h) where it is
+  /// REFUSED, and the system's ENOMEM where it is OUT_OF_MEMORY.
   enum StatusType
   {
     DONE = 0,          ///< the result is there

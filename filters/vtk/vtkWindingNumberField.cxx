@@ -241,6 +241,7 @@ void vtkWindingNumberField::WarnOfPieces(const vtkIdType counts[4])
         }
       });
   this->Status = static_cast<int>(outcome);
+  this->ErrorCode = winding::errorCodeOf(outcome);
 }
 
 const char* vtkWindingNumberField::GetOutputScalarTypeAsString() const

@@ -200,6 +200,7 @@ int vtkWindingNumberNormals::RequestData(
           });
       });
   this->Status = static_cast<int>(outcome);
+  this->ErrorCode = winding::errorCodeOf(outcome);
   if (outcome != winding::Outcome::done)
   {
     output->Initialize();

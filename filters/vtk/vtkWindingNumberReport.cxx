@@ -112,6 +112,7 @@ int vtkWindingNumberReport::RequestData(
       ranks.barrier();
       ranks.agree([&] { this->MakeReport(vtkDataObject::GetData(inputs[0]), output, ranks); });
     });
+  this->ErrorCode = winding::errorCodeOf(outcome);
   if (outcome != winding::Outcome::done)
   {
     output->Initialize();

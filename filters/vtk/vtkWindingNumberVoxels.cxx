@@ -304,6 +304,7 @@ int vtkWindingNumberVoxels::RequestData(
         this->MakeSurface(vtkImageData::GetData(inputs[0]), output);
         this->AddNearest(vtkDataObject::GetData(inputs[1]), output);
       });
+  this->ErrorCode = winding::errorCodeOf(outcome);
   if (outcome != winding::Outcome::done)
   {
     output->Initialize();
@@ -340,6 +341,7 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
 {
   winding::checkProperty(winding::Parameter::windingThreshold, this->WindingThreshold);
   const winding::InsideRule rule = winding::coreInsideRule(this->InsideRule);
+  winding::checkProperty(winding::Parameter::byLabel, this->ByLabel);
   winding::checkStructure(image, "the image");
   if (image->GetNumberOfPoints() == 0)
   {

@@ -80,7 +80,7 @@ public:
   ///@{
   /// Whether the array has labels, so that there are quads between voxels of different ones.
   /// Default LABELS_AUTOMATIC.
-  vtkSetClampMacro(ByLabel, int, LABELS_OFF, LABELS_AUTOMATIC);
+  vtkSetMacro(ByLabel, int);
   vtkGetMacro(ByLabel, int);
   vtkBooleanMacro(ByLabel, int);
   void SetByLabelToOff() { this->SetByLabel(LABELS_OFF); }

@@ -321,6 +321,7 @@ TEST_F(FieldPipeline, AbortLeavesAnEmptyOutputAndTheNextUpdateStartsAfresh)
   ErrorLog log(field);
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::ABORTED);
+  EXPECT_EQ(field->GetErrorCode(), 0u);
   EXPECT_EQ(field->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(log.errors(), "");
 
@@ -339,6 +340,7 @@ TEST_F(FieldPipeline, AbortWhilePreparingLeavesAnEmptyOutputAndTheNextUpdateStar
   ErrorLog log(field);
   field->Update();
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::ABORTED);
+  EXPECT_EQ(field->GetErrorCode(), 0u);
   EXPECT_EQ(field->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(field->GetNumberOfPrimitives(), 0) << "there is no field";
   EXPECT_EQ(field->GetEvaluateSeconds(), 0) << "nothing was evaluated";

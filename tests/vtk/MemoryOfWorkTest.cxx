@@ -21,6 +21,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <limits>
 #include <random>
 
@@ -69,6 +70,7 @@ TEST(MemoryOfWork, HugeSourcesAreRefusedBeforeAnythingIsAllocated)
   field->SetInputData(sphere);
   EXPECT_NE(errorsOf(field.Get()).find(words), std::string::npos);
   EXPECT_EQ(field->GetStatus(), vtkWindingNumberField::OUT_OF_MEMORY);
+  EXPECT_EQ(field->GetErrorCode(), static_cast<unsigned long>(ENOMEM));
 
   vtkNew<vtkWindingNumberSurface> surface;
   surface->SetInputData(sphere);

@@ -5,6 +5,7 @@
 #include "vtk/SphereCloud.h"
 
 #include "vtkDataSet.h"
+#include "vtkErrorCode.h"
 #include "vtkImplicitWindingNumber.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -91,13 +92,22 @@ bool isEmpty(vtkAlgorithm* filter)
   return output && output->GetNumberOfPoints() == 0;
 }
 
+/// Returns whether something is made, which the error code has to agree with.
+bool gives(vtkAlgorithm& filter)
+{
+  filter.Update();
+  const bool isMade = !isEmpty(&filter);
+  EXPECT_EQ(filter.GetErrorCode() == vtkErrorCode::NoError, isMade);
+  EXPECT_EQ(filter.GetErrorCode() == vtkErrorCode::UserError, !isMade);
+  return isMade;
+}
+
 /// Expects that something is made, without an error.
 void expectWorking(vtkAlgorithm* filter)
 {
   ErrorLog log(filter);
-  filter->Update();
+  EXPECT_TRUE(gives(*filter));
   EXPECT_EQ(log.errors(), "");
-  EXPECT_FALSE(isEmpty(filter));
   filter->RemoveAllObservers();
 }
 
@@ -109,12 +119,6 @@ std::size_t linesOf(const std::string& errors)
     at = errors.find("ERROR: ", at + 1);
   }
   return lines;
-}
-
-bool gives(vtkAlgorithm& filter)
-{
-  filter.Update();
-  return !isEmpty(&filter);
 }
 
 bool gives(vtkImplicitWindingNumber& function)
@@ -255,6 +259,15 @@ TEST_F(PropertyRanges, OfVoxels)
   vtkNew<vtkWindingNumberVoxels> voxels;
   voxels->SetInputConnection(field->GetOutputPort());
   expectRefused(voxels.Get(), 2);
+  ErrorLog log(voxels);
+  voxels->SetByLabel(3);
+  EXPECT_FALSE(gives(*voxels));
+  EXPECT_NE(log.errors().find(
+              "ByLabel is 3; it must be LABELS_OFF (0), LABELS_ON (1) or LABELS_AUTOMATIC (2)"),
+    std::string::npos)
+    << log.errors();
+  voxels->SetByLabelToAutomatic();
+  voxels->RemoveAllObservers();
   expectWorking(voxels);
 }
 

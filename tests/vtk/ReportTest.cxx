@@ -8,6 +8,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -115,6 +116,7 @@ protected:
     ErrorLog log(filter);
     this->reportOn(source);
     EXPECT_NE(log.errors().find(part), std::string::npos) << log.errors();
+    EXPECT_EQ(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
     EXPECT_TRUE(this->names().empty());
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
     EXPECT_EQ(filter->GetFaults()->GetNumberOfBlocks(), 0u);
