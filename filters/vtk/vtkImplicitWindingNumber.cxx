@@ -119,19 +119,14 @@ struct vtkImplicitWindingNumber::Internals
 };
 
 vtkImplicitWindingNumber::vtkImplicitWindingNumber()
-  : Internal(std::make_unique<Internals>())
+  : Field(vtkWindingNumberField::New())
+  , Internal(std::make_unique<Internals>())
 {
-  this->SetAreaArray("Area");
 }
 
 vtkImplicitWindingNumber::~vtkImplicitWindingNumber()
 {
-  this->SetNormalsArray(nullptr);
-  this->SetToward(nullptr);
-  this->SetMirror(nullptr);
-  this->SetFlatBase(nullptr);
-  this->SetSheetSide(nullptr);
-  this->SetAreaArray(nullptr);
+  this->Field->Delete();
 }
 
 void vtkImplicitWindingNumber::SetInput(vtkDataObject* input)
@@ -150,7 +145,7 @@ vtkDataObject* vtkImplicitWindingNumber::GetInput()
 
 vtkMTimeType vtkImplicitWindingNumber::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
+  vtkMTimeType time = std::max(this->Superclass::GetMTime(), this->Field->GetMTime());
   for (vtkDataObject* part : partsOf(this->Input))
   {
     time = std::max(time, winding::modifiedTimeOf(part));
@@ -161,13 +156,13 @@ vtkMTimeType vtkImplicitWindingNumber::GetMTime()
 /// Asks in an order in which each part that is asked is still there: who lets one go is modified.
 bool vtkImplicitWindingNumber::IsCurrent(const Built* built)
 {
-  return built && ownTime(this) <= built->Time &&
+  return built && ownTime(this) <= built->Time && this->Field->GetMTime() <= built->Time &&
          std::all_of(built->Parts.begin(), built->Parts.end(),
            [built](vtkDataObject* part) { return winding::modifiedTimeOf(part) <= built->Time; });
 }
 
 /// The field, built if need be; null if there cannot be one.
-const winding::Field* vtkImplicitWindingNumber::GetField()
+const winding::Field* vtkImplicitWindingNumber::CurrentField()
 {
   Internals& internal = *this->Internal;
   const Built* built = internal.Current.load(std::memory_order_acquire);
@@ -180,7 +175,7 @@ const winding::Field* vtkImplicitWindingNumber::GetField()
   {
     auto next = std::make_unique<Built>();
     next->Parts = partsOf(this->Input);
-    next->Time = ownTime(this);
+    next->Time = std::max(ownTime(this), this->Field->GetMTime());
     for (vtkDataObject* part : next->Parts)
     {
       next->Time = std::max(next->Time, winding::modifiedTimeOf(part));
@@ -204,9 +199,10 @@ const winding::Field* vtkImplicitWindingNumber::PrepareField()
 
 const winding::Field& vtkImplicitWindingNumber::MakeField()
 {
-  winding::checkProperty(winding::Parameter::windingThreshold, this->WindingThreshold);
-  winding::checkProperty(winding::Parameter::insideRule, this->InsideRule, 2); // without ODD
-  winding::SourceOptions options = winding::sourceOptions(*this, true);
+  winding::checkProperty(winding::Parameter::windingThreshold, this->Field->GetWindingThreshold());
+  winding::checkProperty(
+    winding::Parameter::insideRule, this->Field->GetInsideRule(), 2); // without ODD
+  winding::SourceOptions options = winding::sourceOptions(*this->Field, true);
   if (!this->Input)
   {
     throw winding::Refusal("set a surface or a point cloud (SetInput): there is no input");
@@ -229,7 +225,7 @@ const winding::Field& vtkImplicitWindingNumber::MakeField()
   else if (options.field.method == winding::Method::rows)
   {
     throw winding::Refusal(winding::Message("rows needs all samples at once",
-      {{"", {{winding::Parameter::method, vtkWindingNumberAlgorithm::AUTOMATIC}}}},
+      {{"", {{winding::Parameter::method, vtkWindingNumberField::AUTOMATIC}}}},
       "an implicit function gets them one by one"));
   }
   const auto executor = newExecutor();
@@ -252,24 +248,24 @@ const winding::Field& vtkImplicitWindingNumber::MakeField()
 
 bool vtkImplicitWindingNumber::BuildField()
 {
-  return this->GetField() != nullptr;
+  return this->CurrentField() != nullptr;
 }
 
 double vtkImplicitWindingNumber::ValueOf(double w) const
 {
-  return this->WindingThreshold -
-         (this->InsideRule == vtkWindingNumberAlgorithm::ABSOLUTE ? std::abs(w) : w);
+  return this->Field->GetWindingThreshold() -
+         (this->Field->GetInsideRule() == vtkWindingNumberField::ABSOLUTE ? std::abs(w) : w);
 }
 
 double vtkImplicitWindingNumber::EvaluateFunction(double x[3])
 {
-  const winding::Field* field = this->GetField();
+  const winding::Field* field = this->CurrentField();
   return this->ValueOf(field ? windingNumberAt(x, *field) : 0);
 }
 
 void vtkImplicitWindingNumber::EvaluateGradient(double x[3], double g[3])
 {
-  const winding::Field* field = this->GetField();
+  const winding::Field* field = this->CurrentField();
   if (!field)
   {
     std::fill_n(g, 3, 0.0);
@@ -277,8 +273,8 @@ void vtkImplicitWindingNumber::EvaluateGradient(double x[3], double g[3])
   }
   winding::SerialExecutor serial;
   field->gradient(winding::VectorsView(x, 1), g, serial);
-  const bool isOfNegative =
-    this->InsideRule == vtkWindingNumberAlgorithm::ABSOLUTE && windingNumberAt(x, *field) < 0;
+  const bool isOfNegative = this->Field->GetInsideRule() == vtkWindingNumberField::ABSOLUTE &&
+                            windingNumberAt(x, *field) < 0;
   const double sign = isOfNegative ? 1 : -1;
   std::transform(g, g + 3, g, [sign](double component) { return sign * component; });
 }
@@ -299,7 +295,7 @@ void vtkImplicitWindingNumber::EvaluateFunction(vtkDataArray* input, vtkDataArra
 /// False, after an error, if there are no values.
 bool vtkImplicitWindingNumber::EvaluateAll(vtkDataArray* positions, std::vector<double>& values)
 {
-  const winding::Field* field = this->GetField();
+  const winding::Field* field = this->CurrentField();
   if (!field)
   {
     return false;
@@ -340,31 +336,10 @@ void vtkImplicitWindingNumber::FunctionValue(vtkDataArray* input, vtkDataArray* 
   this->EvaluateFunction(transformed, output);
 }
 
-const char* vtkImplicitWindingNumber::GetMethodAsString() const
-{
-  return winding::nameOfChoice(winding::Parameter::method, this->Method);
-}
-
-const char* vtkImplicitWindingNumber::GetNormalEstimationAsString() const
-{
-  return winding::nameOfChoice(winding::Parameter::normalEstimation, this->NormalEstimation);
-}
-
-const char* vtkImplicitWindingNumber::GetPointAreaMethodAsString() const
-{
-  return winding::nameOfChoice(winding::Parameter::pointAreaMethod, this->PointAreaMethod);
-}
-
-const char* vtkImplicitWindingNumber::GetInsideRuleAsString() const
-{
-  return winding::nameOfChoice(winding::Parameter::insideRule, this->InsideRule);
-}
-
 void vtkImplicitWindingNumber::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Input: " << this->Input.Get() << "\n";
-  os << indent << "InsideRule: " << this->InsideRule << "\n";
-  os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
-  winding::printSourceProperties(*this, os, indent);
+  os << indent << "Field:\n";
+  this->Field->PrintSelf(os, indent.GetNextIndent());
 }

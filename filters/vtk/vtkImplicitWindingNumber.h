@@ -4,14 +4,15 @@
  * @class   vtkImplicitWindingNumber
  * @brief   implicit function of the winding number of a surface or an oriented point cloud
  *
- * The value at a point is WindingThreshold − w, w being the generalized winding number of the input
- * there (see vtkWindingNumberAlgorithm, also for the inputs that are possible): negative inside,
- * positive outside. The gradient is −∇w. So VTK's own filters clip, cut, extract and sample with
- * surfaces that need not be closed, with triangle soups and with clouds:
+ * The value at a point is the field's WindingThreshold − w, w being the generalized winding number
+ * of the input there (see vtkWindingNumberAlgorithm, also for the inputs that are possible):
+ * negative inside, positive outside. The gradient is −∇w. So VTK's own filters clip, cut, extract
+ * and sample with surfaces that need not be closed, with triangle soups and with clouds:
  *
  * @code
  *   vtkNew<vtkImplicitWindingNumber> inside;
  *   inside->SetInput(scan);
+ *   inside->GetField()->SetTolerance(1e-4);
  *   vtkNew<vtkClipDataSet> clip;
  *   clip->SetInputConnection(grid->GetOutputPort());
  *   clip->SetClipFunction(inside);
@@ -60,7 +61,7 @@
 #include "vtkImplicitFunction.h"
 #include "vtkSmartPointer.h" // for the input
 #include "vtkWindingABINamespace.h"
-#include "vtkWindingNumberAlgorithm.h" // for the meaning of properties and their values
+#include "vtkWindingNumberField.h" // for the properties
 
 #include <memory> // for the field that was built
 #include <vector> // for values
@@ -81,106 +82,16 @@ public:
   vtkDataObject* GetInput();
   ///@}
 
-  ///@{
-  /// The rule for what is inside: vtkWindingNumberAlgorithm::SIGNED or ABSOLUTE, for which |w|
-  /// takes the place of w. The rule ODD is no comparison with a threshold, so there is no implicit
-  /// function for it. Default SIGNED.
-  vtkSetMacro(InsideRule, int);
-  vtkGetMacro(InsideRule, int);
-  void SetInsideRuleToSigned() { this->SetInsideRule(vtkWindingNumberAlgorithm::SIGNED); }
-  void SetInsideRuleToAbsolute() { this->SetInsideRule(vtkWindingNumberAlgorithm::ABSOLUTE); }
-  void SetInsideRuleToOdd() { this->SetInsideRule(vtkWindingNumberAlgorithm::ODD); }
-  const char* GetInsideRuleAsString() const;
-  ///@}
-
-  ///@{
-  /// The value of w at which the function is 0; a finite number. Default 0.5.
-  vtkSetMacro(WindingThreshold, double);
-  vtkGetMacro(WindingThreshold, double);
-  ///@}
-
-  ///@{
-  /// The way in which w is found. Meaning, values and defaults are as for the properties of the
-  /// same names of vtkWindingNumberAlgorithm, but ROWS is for grids and an error here.
-  vtkSetMacro(Method, int);
-  vtkGetMacro(Method, int);
-  void SetMethodToAutomatic() { this->SetMethod(vtkWindingNumberAlgorithm::AUTOMATIC); }
-  void SetMethodToHierarchical() { this->SetMethod(vtkWindingNumberAlgorithm::HIERARCHICAL); }
-  void SetMethodToDirect() { this->SetMethod(vtkWindingNumberAlgorithm::DIRECT); }
-  void SetMethodToParity() { this->SetMethod(vtkWindingNumberAlgorithm::PARITY); }
-  const char* GetMethodAsString() const;
-  vtkSetMacro(Tolerance, double);
-  vtkGetMacro(Tolerance, double);
-  vtkSetMacro(SourceAsPoints, vtkTypeBool);
-  vtkGetMacro(SourceAsPoints, vtkTypeBool);
-  vtkBooleanMacro(SourceAsPoints, vtkTypeBool);
-  vtkSetMacro(UseSurfaceCells, vtkTypeBool);
-  vtkGetMacro(UseSurfaceCells, vtkTypeBool);
-  vtkBooleanMacro(UseSurfaceCells, vtkTypeBool);
-  vtkSetMacro(OrientFaces, vtkTypeBool);
-  vtkGetMacro(OrientFaces, vtkTypeBool);
-  vtkBooleanMacro(OrientFaces, vtkTypeBool);
-  vtkSetMacro(IgnoreOpenParts, vtkTypeBool);
-  vtkGetMacro(IgnoreOpenParts, vtkTypeBool);
-  vtkBooleanMacro(IgnoreOpenParts, vtkTypeBool);
-  vtkSetStringMacro(Mirror);
-  vtkGetStringMacro(Mirror);
-  vtkSetStringMacro(FlatBase);
-  vtkGetStringMacro(FlatBase);
-  vtkSetStringMacro(SheetSide);
-  vtkGetStringMacro(SheetSide);
-  vtkSetMacro(WeldTolerance, double);
-  vtkGetMacro(WeldTolerance, double);
-  vtkSetStringMacro(NormalsArray);
-  vtkGetStringMacro(NormalsArray);
-  vtkSetMacro(EstimateNormals, vtkTypeBool);
-  vtkGetMacro(EstimateNormals, vtkTypeBool);
-  vtkBooleanMacro(EstimateNormals, vtkTypeBool);
-  vtkSetMacro(NormalEstimation, int);
-  vtkGetMacro(NormalEstimation, int);
-  void SetNormalEstimationToAutomatic()
-  {
-    this->SetNormalEstimation(vtkWindingNumberAlgorithm::ESTIMATION_AUTOMATIC);
-  }
-  void SetNormalEstimationToSpanningTree()
-  {
-    this->SetNormalEstimation(vtkWindingNumberAlgorithm::SPANNING_TREE);
-  }
-  void SetNormalEstimationToWindingConsistent()
-  {
-    this->SetNormalEstimation(vtkWindingNumberAlgorithm::WINDING_CONSISTENT);
-  }
-  const char* GetNormalEstimationAsString() const;
-  vtkSetStringMacro(Toward);
-  vtkGetStringMacro(Toward);
-  vtkSetMacro(PointAreaMethod, int);
-  vtkGetMacro(PointAreaMethod, int);
-  void SetPointAreaMethodToVoronoi()
-  {
-    this->SetPointAreaMethod(vtkWindingNumberAlgorithm::VORONOI);
-  }
-  void SetPointAreaMethodToMesh() { this->SetPointAreaMethod(vtkWindingNumberAlgorithm::MESH); }
-  void SetPointAreaMethodToConstant()
-  {
-    this->SetPointAreaMethod(vtkWindingNumberAlgorithm::CONSTANT);
-  }
-  void SetPointAreaMethodToArray() { this->SetPointAreaMethod(vtkWindingNumberAlgorithm::ARRAY); }
-  const char* GetPointAreaMethodAsString() const;
-  vtkSetMacro(NumberOfNeighbors, int);
-  vtkGetMacro(NumberOfNeighbors, int);
-  vtkSetMacro(PointArea, double);
-  vtkGetMacro(PointArea, double);
-  vtkSetStringMacro(AreaArray);
-  vtkGetStringMacro(AreaArray);
-  vtkSetMacro(Regularization, double);
-  vtkGetMacro(Regularization, double);
-  ///@}
+  /// Returns the filter that holds the properties of the source, the method and the inside test.
+  /// Its input, grid, arrays, threads and ranks are ignored. The method ROWS is for grids and an
+  /// error here, and so is the inside rule ODD, which is no comparison with a threshold.
+  vtkGetObjectMacro(Field, vtkWindingNumberField);
 
   /// Builds the field that the next call would build, unless it is there. Returns false, after an
   /// error, if the input cannot be worked with.
   bool BuildField();
 
-  /// The time of the last modification of this function or its input.
+  /// The time of the last modification of this function, its field or its input.
   vtkMTimeType GetMTime() override;
 
   using vtkImplicitFunction::EvaluateFunction;
@@ -203,34 +114,14 @@ protected:
   vtkImplicitWindingNumber(const vtkImplicitWindingNumber&) = delete;
   void operator=(const vtkImplicitWindingNumber&) = delete;
 
-  int InsideRule = vtkWindingNumberAlgorithm::SIGNED;
-  double WindingThreshold = 0.5;
-  int Method = vtkWindingNumberAlgorithm::AUTOMATIC;
-  double Tolerance = 1e-3;
-  vtkTypeBool SourceAsPoints = 0;
-  vtkTypeBool UseSurfaceCells = 0;
-  vtkTypeBool OrientFaces = 0;
-  vtkTypeBool IgnoreOpenParts = 0;
-  char* Mirror = nullptr;
-  char* FlatBase = nullptr;
-  char* SheetSide = nullptr;
-  double WeldTolerance = 0;
-  char* NormalsArray = nullptr;
-  vtkTypeBool EstimateNormals = 0;
-  int NormalEstimation = vtkWindingNumberAlgorithm::ESTIMATION_AUTOMATIC;
-  char* Toward = nullptr;
-  int PointAreaMethod = vtkWindingNumberAlgorithm::VORONOI;
-  int NumberOfNeighbors = 20;
-  double PointArea = 0;
-  char* AreaArray = nullptr;
-  double Regularization = 0;
+  vtkWindingNumberField* Field;
 
 private:
   struct Built;
   struct Internals;
 
   bool IsCurrent(const Built* built);
-  const winding::Field* GetField();
+  const winding::Field* CurrentField();
   const winding::Field* PrepareField();
   const winding::Field& MakeField();
   bool EvaluateAll(vtkDataArray* positions, std::vector<double>& windingNumbers);

@@ -207,7 +207,7 @@ double meanError(vtkUnstructuredGrid* part, vtkImageData* image, vtkPolyData* so
 {
   vtkNew<vtkImplicitWindingNumber> function;
   function->SetInput(source);
-  function->SetTolerance(1e-5);
+  function->GetField()->SetTolerance(1e-5);
   const double step = image->GetSpacing()[0];
   double sum = 0;
   int count = 0;

@@ -190,7 +190,7 @@ TEST(Completion, IsTheSameForFieldsProbesFunctionsAndObliqueImages)
 
     vtkNew<vtkImplicitWindingNumber> function;
     function->SetInput(isSheet ? sheet : dome);
-    prepare(function.Get());
+    prepare(function->GetField());
 
     vtkPointData* found = field->GetOutput()->GetPointData();
     vtkPointData* expected = probe->GetOutput()->GetPointData();

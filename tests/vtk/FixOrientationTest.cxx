@@ -447,7 +447,7 @@ TEST_F(FixOrientation, IsWhatOtherFiltersDoByThemselves)
     vtkNew<vtkImplicitWindingNumber> function;
     function->SetInput(source);
     EXPECT_GT(function->EvaluateFunction(0.1, 0, 0), 0);
-    function->OrientFacesOn();
+    function->GetField()->OrientFacesOn();
     EXPECT_NEAR(function->EvaluateFunction(0.1, 0, 0), -0.5, 1e-12);
   }
 }

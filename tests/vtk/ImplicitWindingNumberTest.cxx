@@ -129,7 +129,7 @@ TEST_F(ImplicitWindingNumber, IsThresholdLessWindingNumber)
   function->SetInput(sphere());
   EXPECT_NEAR(function->FunctionValue(0.1, 0.2, 0.1), -0.5, 1e-3) << "inside";
   EXPECT_NEAR(function->FunctionValue(0.1, 0.2, 0.6), 0.5, 1e-3) << "outside";
-  function->SetWindingThreshold(0.25);
+  function->GetField()->SetWindingThreshold(0.25);
   EXPECT_NEAR(function->FunctionValue(0.1, 0.2, 0.1), -0.75, 1e-3);
 }
 
@@ -142,7 +142,7 @@ TEST_F(ImplicitWindingNumber, HasTheValuesOfTheProbe)
     const auto expectNear = [&](double tolerance)
     {
       const std::vector<double> expected =
-        probed(input, at, function->GetMethod(), function->GetTolerance());
+        probed(input, at, function->GetField()->GetMethod(), function->GetField()->GetTolerance());
       vtkNew<vtkDoubleArray> all;
       function->FunctionValue(arrayOf(at), all);
       for (std::size_t i = 0; i < at.size(); ++i)
@@ -151,19 +151,19 @@ TEST_F(ImplicitWindingNumber, HasTheValuesOfTheProbe)
         EXPECT_NEAR(all->GetValue(static_cast<vtkIdType>(i)), 0.5 - expected[i], tolerance);
       }
     };
-    function->SetMethod(Algorithm::AUTOMATIC);
-    function->SetTolerance(1e-3);
+    function->GetField()->SetMethod(Algorithm::AUTOMATIC);
+    function->GetField()->SetTolerance(1e-3);
     expectNear(2e-3);
-    function->SetTolerance(0);
+    function->GetField()->SetTolerance(0);
     expectNear(1e-13); // the probe counts crossings of closed surfaces
-    function->SetMethod(Algorithm::DIRECT);
+    function->GetField()->SetMethod(Algorithm::DIRECT);
     expectNear(0);
   }
 }
 
 TEST_F(ImplicitWindingNumber, HasTheGradientOfItsValues)
 {
-  function->SetTolerance(0);
+  function->GetField()->SetTolerance(0);
   function->SetInput(sphere(120));
   EXPECT_LT(differenceOfGradients(function, offTheSphere(positions())), 1e-5); // measured: 1.5e-6
   function->SetInput(cloud());
@@ -180,7 +180,7 @@ TEST_F(ImplicitWindingNumber, HasTheGradientOfItsValues)
 TEST_F(ImplicitWindingNumber, HasTheGradientOfItsValuesWithinATolerance)
 {
   vtkNew<vtkImplicitWindingNumber> exact;
-  exact->SetMethod(Algorithm::DIRECT);
+  exact->GetField()->SetMethod(Algorithm::DIRECT);
   for (const auto& input : someInputs())
   {
     function->SetInput(input);
@@ -208,10 +208,10 @@ TEST_F(ImplicitWindingNumber, TakesTheAbsoluteValueOnRequest)
     insideOut->ReverseCell(i);
   }
   insideOut->Modified();
-  function->SetTolerance(0);
+  function->GetField()->SetTolerance(0);
   function->SetInput(insideOut);
   EXPECT_GT(function->FunctionValue(0, 0, 0.2), 1);
-  function->SetInsideRule(Algorithm::ABSOLUTE);
+  function->GetField()->SetInsideRule(Algorithm::ABSOLUTE);
   EXPECT_LT(function->FunctionValue(0, 0, 0.2), -0.3);
   EXPECT_LT(differenceOfGradients(function, offTheSphere(positions())), 1e-5);
 }
@@ -257,7 +257,7 @@ TEST_F(ImplicitWindingNumber, IsEvaluatedInTransformedPlaces)
   transform->Translate(0.3, -0.2, 0.1);
   transform->RotateWXYZ(40, 1, 2, 3);
   transform->Scale(2, 0.5, 1);
-  function->SetTolerance(0);
+  function->GetField()->SetTolerance(0);
   function->SetInput(sphere(120));
   const auto at = positions(50);
   std::vector<double> expected;
@@ -381,21 +381,21 @@ TEST_F(ImplicitWindingNumber, TakesPropertiesOfClouds)
   function->SetInput(points);
   EXPECT_NEAR(function->FunctionValue(0, 0, 0), -0.5, 0.01);
   const double area = vtkMath::Pi() / static_cast<double>(points->GetNumberOfPoints());
-  function->SetPointAreaMethod(Algorithm::CONSTANT);
-  function->SetPointArea(area);
+  function->GetField()->SetPointAreaMethod(Algorithm::CONSTANT);
+  function->GetField()->SetPointArea(area);
   const double w = 0.5 - function->FunctionValue(0, 0, 0);
-  function->SetPointArea(2 * area);
+  function->GetField()->SetPointArea(2 * area);
   EXPECT_NEAR(0.5 - function->FunctionValue(0, 0, 0), 2 * w, 1e-6);
   vtkNew<vtkDoubleArray> areas;
   areas->SetName("Area");
   areas->SetNumberOfTuples(points->GetNumberOfPoints());
   areas->Fill(3 * area);
   points->GetPointData()->AddArray(areas);
-  function->SetPointAreaMethod(Algorithm::ARRAY);
+  function->GetField()->SetPointAreaMethod(Algorithm::ARRAY);
   EXPECT_NEAR(0.5 - function->FunctionValue(0, 0, 0), 3 * w, 1e-6);
   function->SetInput(sphere());
-  function->SourceAsPointsOn();
-  function->SetPointAreaMethod(Algorithm::MESH);
+  function->GetField()->SourceAsPointsOn();
+  function->GetField()->SetPointAreaMethod(Algorithm::MESH);
   EXPECT_NEAR(function->FunctionValue(0, 0, 0), -0.5, 0.01);
 }
 
@@ -434,10 +434,10 @@ TEST_F(ImplicitWindingNumber, SaysOnceThatAnInputIsRefused)
     << once;
   EXPECT_NE(once.find("the points have no normals"), std::string::npos) << once;
   EXPECT_EQ(sample->GetOutput()->GetPointData()->GetScalars()->GetRange()[0], 0.5);
-  function->EstimateNormalsOn();
+  function->GetField()->EstimateNormalsOn();
   EXPECT_NEAR(function->FunctionValue(0, 0, 0), -0.5, 0.02);
   EXPECT_EQ(log.errors(), once);
-  function->SetMethod(Algorithm::ROWS);
+  function->GetField()->SetMethod(Algorithm::ROWS);
   function->SetInput(sphere());
   EXPECT_FALSE(function->BuildField());
   EXPECT_NE(log.errors().find("rows needs all samples at once"), std::string::npos) << log.errors();

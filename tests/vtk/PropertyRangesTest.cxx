@@ -128,6 +128,16 @@ bool gives(vtkImplicitWindingNumber& function)
   return isBuilt;
 }
 
+template <class Filter> Filter& propertiesOf(Filter& filter)
+{
+  return filter;
+}
+
+vtkWindingNumberField& propertiesOf(vtkImplicitWindingNumber& function)
+{
+  return *function.GetField();
+}
+
 /// Expects that every bad value is kept by its setter, reported in one line, and leaves nothing.
 /// Sets the value from before then. Returns whether the filter has the property and its range.
 template <class Property, class Filter>
@@ -135,7 +145,8 @@ bool isRefused(Filter& filter, const std::string& name, std::size_t mostChoices)
 {
   SCOPED_TRACE(name);
   const Listed& option = listed().at(name);
-  const double before = Property::get(filter, 0);
+  auto& properties = propertiesOf(filter);
+  const double before = Property::get(properties, 0);
   const auto bad = badValues(option, std::min(mostChoices, option.choices.size()));
   if (std::isnan(before) || bad.empty())
   {
@@ -144,15 +155,15 @@ bool isRefused(Filter& filter, const std::string& name, std::size_t mostChoices)
   for (const auto& [value, rest] : bad)
   {
     ErrorLog log(&filter);
-    EXPECT_TRUE(Property::set(filter, Value(value), 0));
-    EXPECT_TRUE(Property::get(filter, 0) == value || value != value);
+    EXPECT_TRUE(Property::set(properties, Value(value), 0));
+    EXPECT_TRUE(Property::get(properties, 0) == value || value != value);
     EXPECT_FALSE(gives(filter));
     EXPECT_NE(log.errors().find("): " + name + " is " + rest + "\n"), std::string::npos)
       << rest << log.errors();
     EXPECT_EQ(linesOf(log.errors()), 1u) << log.errors();
     filter.RemoveAllObservers();
   }
-  Property::set(filter, Value(before), 0);
+  Property::set(properties, Value(before), 0);
   return true;
 }
 
@@ -284,7 +295,17 @@ TEST_F(PropertyRanges, OfTheImplicitFunction)
   vtkNew<vtkImplicitWindingNumber> function;
   sphere->Update();
   function->SetInput(sphere->GetOutput());
-  expectRefused(function.Get(), 10, {{"InsideRule", 2}}); // without ODD
+#define EXPECT_NO_FIELD(name, choices) EXPECT_TRUE(isRefused<Of##name>(*function, #name, choices))
+  EXPECT_NO_FIELD(Method, 5);
+  EXPECT_NO_FIELD(Tolerance, 0);
+  EXPECT_NO_FIELD(WeldTolerance, 0);
+  EXPECT_NO_FIELD(NormalEstimation, 3);
+  EXPECT_NO_FIELD(PointAreaMethod, 4);
+  EXPECT_NO_FIELD(PointArea, 0);
+  EXPECT_NO_FIELD(NumberOfNeighbors, 0);
+  EXPECT_NO_FIELD(Regularization, 0);
+  EXPECT_NO_FIELD(WindingThreshold, 0);
+  EXPECT_NO_FIELD(InsideRule, 2); // without ODD
   ErrorLog log(function);
   EXPECT_NEAR(function->FunctionValue(0, 0, 0), -0.5, 1e-6);
   EXPECT_NEAR(function->FunctionValue(9, 0, 0), 0.5, 1e-6);
