@@ -135,7 +135,7 @@ def page(proxy, proxies):
     for element in properties_of(family).values():
         if is_reported(element):
             reported.append(element)
-        else:
+        elif element.get("panel_visibility") != "never" or element.get("name") == "FileName":
             groups.setdefault(headings.get(element.get("name"), "Properties"), []).append(element)
     for heading, elements in groups.items():
         lines += table(heading, elements, SETTABLE_COLUMNS)

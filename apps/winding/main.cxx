@@ -11,8 +11,6 @@
 #include "program/ParallelRun.h"
 #include "program/Threads.h"
 
-#include "vtkWindingNumberAlgorithm.h"
-
 #include <algorithm>
 #include <csignal>
 #include <map>
@@ -98,7 +96,6 @@ void run(Options options)
     {"surface", runSurface}, {"boolean", runBoolean}, {"voxels", runVoxels}, {"labels", runLabels},
     {"probe", runProbe}, {"normals", runNormals}, {"check", runCheck}, {"bench", runBench}};
   Messages& messages = Messages::install(options.quiet || !parallel::isFirst());
-  vtkWindingNumberAlgorithm::SetNamesInMessages(vtkWindingNumberAlgorithm::PROGRAM_NAMES);
   limitThreads(options.threads);
   if (options.estimateNormals || options.command == "normals")
   {

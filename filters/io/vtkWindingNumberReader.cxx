@@ -114,9 +114,7 @@ bool vtkWindingNumberReader::GetHasDecimalCommas() const
 int vtkWindingNumberReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  // The library of the filters knows which front end this is, and which ranks there are.
-  winding::setFrontEnd(
-    static_cast<winding::FrontEnd>(vtkWindingNumberAlgorithm::GetNamesInMessages()));
+  // The library of the filters knows which ranks there are.
   winding::setRanksOnHost(vtkWindingNumberAlgorithm::GetRanksOnHost());
   this->ErrorCode = vtkErrorCode::NoError;
   *this->Table = {};
@@ -139,7 +137,8 @@ int vtkWindingNumberReader::RequestData(
   };
   const std::string name = this->FileName ? this->FileName : "";
   const std::string withoutMemory = name + ": there is not enough memory for what it holds";
-  const winding::Outcome outcome = winding::reportErrors(this, withoutMemory, read);
+  const winding::Outcome outcome =
+    winding::reportErrors(this, this->NamesInMessages, withoutMemory, read);
   if (outcome == winding::Outcome::done)
   {
     return 1;
@@ -209,6 +208,7 @@ winding::ColumnChoice vtkWindingNumberReader::ChosenColumns() const
 void vtkWindingNumberReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "NamesInMessages: " << this->NamesInMessages << "\n";
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Columns: " << (this->Columns ? this->Columns : "(none)") << "\n";
   os << indent << "ReadNormalsAndAreas: " << this->ReadNormalsAndAreas << "\n";

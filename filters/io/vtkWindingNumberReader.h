@@ -107,6 +107,13 @@ public:
   vtkTypeMacro(vtkWindingNumberReader, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /// The names that messages give properties, of vtkWindingNumberAlgorithm::NamesInMessagesType.
+  /// Default CXX_NAMES.
+  vtkSetMacro(NamesInMessages, int);
+  vtkGetMacro(NamesInMessages, int);
+  ///@}
+
   /// Returns the suffixes of all formats, with their dots and blanks between them.
   static const char* GetFileExtensions();
 
@@ -185,6 +192,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
+  int NamesInMessages = 0; // vtkWindingNumberAlgorithm::CXX_NAMES
   char* FileName = nullptr;
   char* Columns = nullptr;
   bool ReadNormalsAndAreas = true;

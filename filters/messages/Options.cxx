@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace winding
 {
@@ -205,7 +205,7 @@ std::string textOf(const Remedy& remedy, FrontEnd frontEnd)
   return remedy.words.empty() ? "use " + names : remedy.words + " (" + names + ")";
 }
 
-std::atomic<FrontEnd> frontEndOfProcess = FrontEnd::cxx;
+thread_local FrontEnd frontEndOfThread = FrontEnd::cxx;
 
 } // namespace
 
@@ -292,14 +292,19 @@ std::string lineOf(const Message& message, FrontEnd frontEnd)
   return message.facts.empty() ? line : line + "; " + message.facts;
 }
 
-FrontEnd frontEnd()
+FrontEndScope::FrontEndScope(FrontEnd frontEnd)
+  : before_(std::exchange(frontEndOfThread, frontEnd))
 {
-  return frontEndOfProcess;
 }
 
-void setFrontEnd(FrontEnd frontEnd)
+FrontEndScope::~FrontEndScope()
 {
-  frontEndOfProcess = frontEnd;
+  frontEndOfThread = before_;
+}
+
+FrontEnd frontEnd()
+{
+  return frontEndOfThread;
 }
 
 bool isEstimateAsked()

@@ -76,16 +76,26 @@ std::string howTo(const Setting& setting, FrontEnd frontEnd);
 /// Returns the line of a message in the words of a front end.
 std::string lineOf(const Message& message, FrontEnd frontEnd);
 
-///@{
-/// The front end that this process speaks to. Any thread may ask and tell at any time.
+/// Has this thread speak to a front end while it lives.
+class FrontEndScope
+{
+public:
+  explicit FrontEndScope(FrontEnd frontEnd);
+  ~FrontEndScope();
+  FrontEndScope(const FrontEndScope&) = delete;
+  FrontEndScope& operator=(const FrontEndScope&) = delete;
+
+private:
+  FrontEnd before_;
+};
+
+/// Returns the front end that this thread speaks to: C++ outside of every scope.
 FrontEnd frontEnd();
-void setFrontEnd(FrontEnd frontEnd);
-///@}
 
 /// Returns whether users ask for estimated normals themselves. ParaView's panels begin with them.
 bool isEstimateAsked();
 
-/// Returns the line of a message in the words of this process's front end.
+/// Returns the line of a message in the words of this thread's front end.
 std::string lineOf(const Message& message);
 
 /// Returns the lines of several messages, as one.

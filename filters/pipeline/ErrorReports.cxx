@@ -3,6 +3,7 @@
 #include "pipeline/ErrorReports.h"
 
 #include "base/Executor.h"
+#include "base/Refusal.h"
 #include "messages/Options.h"
 #include "pipeline/FreeMemory.h"
 
@@ -30,9 +31,11 @@ unsigned long errorCodeOf(Outcome outcome)
   return vtkErrorCode::NoError;
 }
 
-Outcome reportErrors(vtkObject* object, const Message& withoutMemory,
+Outcome reportErrors(vtkObject* object, int names, const Message& withoutMemory,
   const std::function<void()>& work, const std::function<bool()>& isNew)
 {
+  const bool isKnown = names >= 0 && names <= static_cast<int>(FrontEnd::python);
+  const FrontEndScope scope(isKnown ? static_cast<FrontEnd>(names) : FrontEnd::cxx);
   const auto report = [object, &isNew](const std::string& text)
   {
     if (!isNew || isNew())
@@ -42,6 +45,10 @@ Outcome reportErrors(vtkObject* object, const Message& withoutMemory,
   };
   try
   {
+    if (!isKnown)
+    {
+      throw Refusal("NamesInMessages is " + std::to_string(names) + "; it must be 0 to 3");
+    }
     work();
     return Outcome::done;
   }

@@ -33,13 +33,14 @@ unsigned long errorCodeOf(Outcome outcome);
 /**
  * Does work for a VTK object, and reports an exception as an error of this object, in one line. An
  * interruption is no error. `withoutMemory` tells of a failed allocation. Where
- * `isNew` is given, it is asked whether the error is to be reported.
+ * `isNew` is given, it is asked whether the error is to be reported. All messages meanwhile are in
+ * the words of `names`, a vtkWindingNumberAlgorithm::NamesInMessagesType.
  *
  * An algorithm answers the pipeline afterwards as if it had done its work, sets its ErrorCode and
  * leaves its output empty: the executive prints 14 lines for each request that fails, and again for
  * each filter behind.
  */
-Outcome reportErrors(vtkObject* object, const Message& withoutMemory,
+Outcome reportErrors(vtkObject* object, int names, const Message& withoutMemory,
   const std::function<void()>& work, const std::function<bool()>& isNew = {});
 
 } // namespace winding

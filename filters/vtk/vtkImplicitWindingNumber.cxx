@@ -192,8 +192,8 @@ const winding::Field* vtkImplicitWindingNumber::CurrentField()
 const winding::Field* vtkImplicitWindingNumber::PrepareField()
 {
   const winding::Field* field = nullptr;
-  winding::reportErrors(
-    this, {"not enough memory for this input"}, [this, &field]() { field = &this->MakeField(); });
+  winding::reportErrors(this, this->Field->GetNamesInMessages(),
+    {"not enough memory for this input"}, [this, &field]() { field = &this->MakeField(); });
   return field;
 }
 
@@ -316,7 +316,8 @@ bool vtkImplicitWindingNumber::EvaluateAll(vtkDataArray* positions, std::vector<
   };
   const std::string withoutMemory =
     "there is not enough memory for " + std::to_string(values.size()) + " points";
-  return winding::reportErrors(this, withoutMemory, evaluate) == winding::Outcome::done;
+  return winding::reportErrors(this, this->Field->GetNamesInMessages(), withoutMemory, evaluate) ==
+         winding::Outcome::done;
 }
 
 void vtkImplicitWindingNumber::FunctionValue(vtkDataArray* input, vtkDataArray* output)

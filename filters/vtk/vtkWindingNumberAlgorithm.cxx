@@ -206,7 +206,7 @@ vtkTypeBool vtkWindingNumberAlgorithm::ProcessRequest(
   const KeptProgress kept(this);
   int isAnswered = 1;
   const winding::Outcome outcome = winding::reportErrors(
-    this,
+    this, this->NamesInMessages,
     {"not enough memory for this source and grid", {winding::largerVoxels(), winding::inPieces()}},
     [&]()
     {
@@ -566,17 +566,6 @@ const char* vtkWindingNumberAlgorithm::GetExpectedMemoryInWords()
   return this->ExpectedMemoryInWords.c_str();
 }
 
-void vtkWindingNumberAlgorithm::SetNamesInMessages(int names)
-{
-  winding::setFrontEnd(
-    static_cast<winding::FrontEnd>(std::clamp<int>(names, CXX_NAMES, PYTHON_NAMES)));
-}
-
-int vtkWindingNumberAlgorithm::GetNamesInMessages()
-{
-  return static_cast<int>(winding::frontEnd());
-}
-
 int vtkWindingNumberAlgorithm::GetRanksOnHost()
 {
   return winding::ranksOnHost();
@@ -682,6 +671,7 @@ const char* vtkWindingNumberAlgorithm::GetInsideRuleAsString() const
 void vtkWindingNumberAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "NamesInMessages: " << this->NamesInMessages << "\n";
   winding::printSourceProperties(*this, os, indent);
   os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
   os << indent << "InsideRule: " << this->InsideRule << "\n";

@@ -148,10 +148,10 @@ public:
   };
 
   ///@{
-  /// The names that errors, warnings and advice of all classes of this module give properties in
-  /// this process, CXX_NAMES unless a front end has set its own. Any thread may call both.
-  static void SetNamesInMessages(int names);
-  static int GetNamesInMessages();
+  /// The names that errors, warnings and advice give properties. Front ends set theirs. Default
+  /// CXX_NAMES.
+  vtkSetMacro(NamesInMessages, int);
+  vtkGetMacro(NamesInMessages, int);
   ///@}
 
   /// Returns how many ranks, this one among them, share the cores and the memory of this machine.
@@ -619,6 +619,7 @@ protected:
   void Evaluate(const winding::Field& field, vtkIdType samples, winding::SmpExecutor& executor,
     const std::function<void()>& work);
 
+  int NamesInMessages = CXX_NAMES;
   int Method = AUTOMATIC;
   double Tolerance = 1e-3;
   vtkTypeBool SourceAsPoints = 0;

@@ -228,18 +228,18 @@ void vtkWindingNumberField::WarnOfPieces(const vtkIdType counts[4])
   result.sides.inside = static_cast<std::size_t>(counts[2]);
   result.sides.negative = static_cast<std::size_t>(counts[3]);
   result.isEmpty = counts[1] == 0;
-  const winding::Outcome outcome =
-    winding::reportErrors(this, {"not enough memory for this source", {winding::largerVoxels()}},
-      [&]
+  const winding::Outcome outcome = winding::reportErrors(this, this->NamesInMessages,
+    {"not enough memory for this source", {winding::largerVoxels()}},
+    [&]
+    {
+      winding::SmpExecutor executor(this, this->NumberOfThreads);
+      executor.setShare(1, 1);
+      const winding::Field& field = this->FieldOf(this->GetSource(), executor);
+      if (this->GetRanks().rank() == 0)
       {
-        winding::SmpExecutor executor(this, this->NumberOfThreads);
-        executor.setShare(1, 1);
-        const winding::Field& field = this->FieldOf(this->GetSource(), executor);
-        if (this->GetRanks().rank() == 0)
-        {
-          this->WarnOfResult(field, result);
-        }
-      });
+        this->WarnOfResult(field, result);
+      }
+    });
   this->Status = static_cast<int>(outcome);
   this->ErrorCode = winding::errorCodeOf(outcome);
 }

@@ -186,19 +186,19 @@ int vtkWindingNumberNormals::RequestData(
   this->TotalArea = 0;
   this->ClearShare = 0;
   this->NormalEstimationUsed = "";
-  const winding::Outcome outcome =
-    winding::reportErrors(this, {"not enough memory for the areas of the points"},
-      [&]()
-      {
-        winding::Ranks ranks(this->Controller);
-        ranks.barrier();
-        ranks.agree(
-          [&]
-          {
-            copyShallowly(vtkDataObject::GetData(inputs[0]), output);
-            this->AddAreas(output, ranks);
-          });
-      });
+  const winding::Outcome outcome = winding::reportErrors(this, this->NamesInMessages,
+    {"not enough memory for the areas of the points"},
+    [&]()
+    {
+      winding::Ranks ranks(this->Controller);
+      ranks.barrier();
+      ranks.agree(
+        [&]
+        {
+          copyShallowly(vtkDataObject::GetData(inputs[0]), output);
+          this->AddAreas(output, ranks);
+        });
+    });
   this->Status = static_cast<int>(outcome);
   this->ErrorCode = winding::errorCodeOf(outcome);
   if (outcome != winding::Outcome::done)
@@ -368,6 +368,7 @@ const char* vtkWindingNumberNormals::GetPointAreaMethodAsString() const
 void vtkWindingNumberNormals::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "NamesInMessages: " << this->NamesInMessages << "\n";
   os << indent << "PointAreaMethod: " << this->PointAreaMethod << "\n";
   os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
   os << indent << "PointArea: " << this->PointArea << "\n";

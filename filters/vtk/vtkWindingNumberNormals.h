@@ -67,6 +67,13 @@ public:
   vtkTypeMacro(vtkWindingNumberNormals, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /// The names that messages give properties, of vtkWindingNumberAlgorithm::NamesInMessagesType.
+  /// Default CXX_NAMES.
+  vtkSetMacro(NamesInMessages, int);
+  vtkGetMacro(NamesInMessages, int);
+  ///@}
+
   /// The ways in which points get their areas; the numbers are vtkWindingNumberAlgorithm's.
   enum PointAreaMethodType
   {
@@ -205,6 +212,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
+  int NamesInMessages = 0; // vtkWindingNumberAlgorithm::CXX_NAMES
   int PointAreaMethod = VORONOI;
   int NumberOfNeighbors = 20;
   double PointArea = 0;

@@ -105,7 +105,7 @@ int vtkWindingNumberReport::RequestData(
     return 1;
   }
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-  const winding::Outcome outcome = winding::reportErrors(this,
+  const winding::Outcome outcome = winding::reportErrors(this, this->NamesInMessages,
     {"not enough memory for a report", {{"look at a part of the source", {}}}},
     [&]()
     {
@@ -405,6 +405,7 @@ const char* vtkWindingNumberReport::GetSourceDistributionAsString() const
 void vtkWindingNumberReport::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "NamesInMessages: " << this->NamesInMessages << "\n";
   os << indent << "NormalsArray: " << winding::textOf(this->NormalsArray) << "\n";
   os << indent << "UseSurfaceCells: " << this->UseSurfaceCells << "\n";
   os << indent << "Mirror: " << winding::textOf(this->Mirror) << "\n";

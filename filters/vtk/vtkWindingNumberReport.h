@@ -159,6 +159,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
+  /// The names that messages give properties, of vtkWindingNumberAlgorithm::NamesInMessagesType.
+  /// Default CXX_NAMES.
+  vtkSetMacro(NamesInMessages, int);
+  vtkGetMacro(NamesInMessages, int);
+  ///@}
+
+  ///@{
   /// Name of the point array with the normals of a cloud. Default: empty, for the active normals;
   /// the name None means the same if no array has it.
   vtkSetStringMacro(NormalsArray);
@@ -290,6 +297,7 @@ protected:
   vtkIdType GetCount(const char* name);
   ///@}
 
+  int NamesInMessages = 0; // vtkWindingNumberAlgorithm::CXX_NAMES
   char* NormalsArray = nullptr;
   char* Mirror = nullptr;
   char* FlatBase = nullptr;

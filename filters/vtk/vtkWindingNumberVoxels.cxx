@@ -297,13 +297,13 @@ int vtkWindingNumberVoxels::RequestData(
     return 1;
   }
   vtkPolyData* const output = vtkPolyData::GetData(outInfo);
-  const winding::Outcome outcome =
-    winding::reportErrors(this, {"not enough memory for the surface", lessMemory},
-      [&]()
-      {
-        this->MakeSurface(vtkImageData::GetData(inputs[0]), output);
-        this->AddNearest(vtkDataObject::GetData(inputs[1]), output);
-      });
+  const winding::Outcome outcome = winding::reportErrors(this, this->NamesInMessages,
+    {"not enough memory for the surface", lessMemory},
+    [&]()
+    {
+      this->MakeSurface(vtkImageData::GetData(inputs[0]), output);
+      this->AddNearest(vtkDataObject::GetData(inputs[1]), output);
+    });
   this->ErrorCode = winding::errorCodeOf(outcome);
   if (outcome != winding::Outcome::done)
   {
@@ -422,6 +422,7 @@ const char* vtkWindingNumberVoxels::GetByLabelAsString() const
 void vtkWindingNumberVoxels::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "NamesInMessages: " << this->NamesInMessages << "\n";
   os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
   os << indent << "InsideRule: " << this->InsideRule << "\n";
   os << indent << "ByLabel: " << this->ByLabel << "\n";

@@ -53,6 +53,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
+  /// The names that messages give properties, of vtkWindingNumberAlgorithm::NamesInMessagesType.
+  /// Default CXX_NAMES.
+  vtkSetMacro(NamesInMessages, int);
+  vtkGetMacro(NamesInMessages, int);
+  ///@}
+
+  ///@{
   /// The value that InsideRule compares w with; a finite number. Default 0.5.
   vtkSetMacro(WindingThreshold, double);
   vtkGetMacro(WindingThreshold, double);
@@ -129,6 +136,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
+  int NamesInMessages = 0; // vtkWindingNumberAlgorithm::CXX_NAMES
   double WindingThreshold = 0.5;
   int InsideRule = 0;
   int ByLabel = LABELS_AUTOMATIC;

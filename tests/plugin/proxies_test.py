@@ -158,6 +158,9 @@ SETTABLE = {
     },
 }
 
+for properties in SETTABLE.values():
+    properties["NamesInMessages"] = (2, "2")
+
 # Properties that the C++ object only reports, each also one of the proxy or left out on purpose.
 COMMON_REPORTED = {
     "SourceKind",
@@ -236,6 +239,7 @@ ENUMERATIONS = {
 # faults must be seen on their surface, and nobody waits for the eightfold voxels that keep thin
 # parts, or asks for normals of a bare cloud.
 DEFAULTS_OF_PANELS = {
+    "NamesInMessages": "1",
     "LongestExpectedTime": "600",
     "Resolution": "128",
     "NormalsArray": "Active Normals",

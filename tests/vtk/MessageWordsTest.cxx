@@ -24,9 +24,10 @@ namespace
 using Filter = vtkWindingNumberAlgorithm;
 
 /// Returns the only error or warning of a filter that is executed, without VTK's decoration.
-std::string messageOf(vtkAlgorithm* filter)
+template <class Filter> std::string messageOf(Filter* filter, int names)
 {
   ErrorLog log(filter);
+  filter->SetNamesInMessages(names);
   filter->Update();
   const std::string text = log.errors() + log.warnings();
   const std::size_t begin = text.find("): ");
@@ -42,8 +43,8 @@ vtkSmartPointer<vtkWindingNumberReader> reading(const std::string& name)
 }
 
 /// Returns the message of a field of a mesh or a cloud.
-std::string messageOfField(
-  const std::string& file, const std::function<void(vtkWindingNumberField*)>& change = {})
+std::string messageOfField(int names, const std::string& file,
+  const std::function<void(vtkWindingNumberField*)>& change = {})
 {
   vtkNew<vtkWindingNumberField> field;
   field->SetResolution(4);
@@ -52,37 +53,38 @@ std::string messageOfField(
   {
     change(field);
   }
-  return messageOf(field);
+  return messageOf(field.Get(), names);
 }
 
 /// Returns what the filters say in each of the cases of the list.
-std::map<std::string, std::string> allMessages()
+std::map<std::string, std::string> allMessages(int names)
 {
   std::map<std::string, std::string> found;
-  found["points without normals"] = messageOfField("bare.xyz");
-  found["bounds of a single point"] = messageOfField("place.xyz");
-  found["a method that points do not have"] = messageOfField("place.xyz",
+  found["points without normals"] = messageOfField(names, "bare.xyz");
+  found["bounds of a single point"] = messageOfField(names, "place.xyz");
+  found["a method that points do not have"] = messageOfField(names, "place.xyz",
     [](auto* field)
     {
       field->SetMethod(Filter::PARITY);
       field->UseInputBoundsOff();
     });
   found["a number out of range"] =
-    messageOfField("cube.off", [](auto* field) { field->SetPadding(-1); });
+    messageOfField(names, "cube.off", [](auto* field) { field->SetPadding(-1); });
   found["mirror planes at an angle"] =
-    messageOfField("cube.off", [](auto* field) { field->SetMirror("y=0; 1 1 0 = 0"); });
-  found["lines next to faces"] = messageOfField("loose.off");
-  found["normals of length 0"] = messageOfField("zeros.xyz");
-  found["normals that are equal"] = messageOfField("equal.xyz");
+    messageOfField(names, "cube.off", [](auto* field) { field->SetMirror("y=0; 1 1 0 = 0"); });
+  found["lines next to faces"] = messageOfField(names, "loose.off");
+  found["normals of length 0"] = messageOfField(names, "zeros.xyz");
+  found["normals that are equal"] = messageOfField(names, "equal.xyz");
   found["normals where others are wanted"] =
-    messageOfField("octahedron.xyz", [](auto* field) { field->EstimateNormalsOn(); });
-  const std::string ofReader = messageOf(reading("colours.xyz"));
+    messageOfField(names, "octahedron.xyz", [](auto* field) { field->EstimateNormalsOn(); });
+  const std::string ofReader = messageOf(reading("colours.xyz").Get(), names);
   found["columns of colours"] = ofReader.substr(ofReader.find(": ") + 2);
   found["too many voxels"] =
-    messageOfField("cube.off", [](auto* field) { field->SetVoxelSize(1e-12); });
-  found["faces that look inward"] = messageOfField("inward.off");
+    messageOfField(names, "cube.off", [](auto* field) { field->SetVoxelSize(1e-12); });
+  found["faces that look inward"] = messageOfField(names, "inward.off");
   vtkNew<vtkWindingNumberReport> report;
   report->SetInputConnection(reading("inward.off")->GetOutputPort());
+  report->SetNamesInMessages(names);
   report->Update();
   found["the report on faces that look inward"] = report->GetAdvice();
   vtkNew<vtkWindingNumberSurface> surface;
@@ -90,23 +92,19 @@ std::map<std::string, std::string> allMessages()
   surface->SetResolution(4);
   surface->UseInputBoundsOff();
   surface->SetSamplingBounds(0.4, 0.6, 0.4, 0.6, 0.4, 0.6);
-  found["a grid within the solid"] = messageOf(surface);
+  found["a grid within the solid"] = messageOf(surface.Get(), names);
   return found;
 }
 
 class MessageWords : public testing::TestWithParam<std::pair<const char*, int>>
 {
-protected:
-  ~MessageWords() override { Filter::SetNamesInMessages(Filter::CXX_NAMES); }
 };
 
 TEST_P(MessageWords, AreThoseOfTheList)
 {
   const auto [frontEnd, names] = GetParam();
-  Filter::SetNamesInMessages(names);
-  EXPECT_EQ(Filter::GetNamesInMessages(), names);
   const auto expected = messagesOf(frontEnd);
-  auto found = allMessages();
+  auto found = allMessages(names);
   if (names == Filter::PARAVIEW_NAMES)
   {
     // Panels ask for estimates from the beginning, so that nobody is told of normals that are kept.

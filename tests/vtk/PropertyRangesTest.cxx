@@ -315,13 +315,15 @@ TEST_F(PropertyRanges, OfTheImplicitFunction)
 TEST_F(PropertyRanges, NameChoicesAsThePanelsOfParaViewDo)
 {
   using Filter = vtkWindingNumberAlgorithm;
-  Filter::SetNamesInMessages(Filter::PARAVIEW_NAMES);
   vtkNew<vtkWindingNumberField> field;
   const ErrorLog log(field);
+  field->SetNamesInMessages(4);
+  EXPECT_FALSE(gives(*field));
+  EXPECT_NE(log.errors().find("NamesInMessages is 4; it must be 0 to 3"), std::string::npos);
+  field->SetNamesInMessages(Filter::PARAVIEW_NAMES);
   field->SetInputData(vtkSmartPointer<vtkPolyData>::New());
   field->SetMethod(9);
   field->Update();
-  Filter::SetNamesInMessages(Filter::CXX_NAMES);
   EXPECT_NE(log.errors().find("Method is 9; it must be Automatic (0), Rows (1), Hierarchical (2), "
                               "Direct Sum (3) or Ray Parity (4)"),
     std::string::npos)

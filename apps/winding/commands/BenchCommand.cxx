@@ -83,6 +83,7 @@ private:
   template <class Filter> vtkSmartPointer<Filter> filterFor(int method) const
   {
     auto filter = vtkSmartPointer<Filter>::New();
+    filter->SetNamesInMessages(vtkWindingNumberAlgorithm::PROGRAM_NAMES);
     filter->SetMethod(method);
     filter->SetTolerance(options_.tolerance);
     filter->SetNumberOfThreads(options_.threads);

@@ -24,6 +24,7 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkWindingNumberAlgorithm.h"
 #include "vtkWindingNumberReport.h"
 
 #include <algorithm>
@@ -157,6 +158,7 @@ void runCheck(const Options& options, Messages& messages)
     output.emplace(options.output, kept);
   }
   vtkNew<vtkWindingNumberReport> filter;
+  filter->SetNamesInMessages(vtkWindingNumberAlgorithm::PROGRAM_NAMES);
   filter->SetInputDataObject(readSource(options, messages));
   filter->SetUseSurfaceCells(options.surfaceCells);
   filter->SetMirror(options.mirror.c_str());

@@ -53,6 +53,7 @@ void checkQueries(vtkDataSet* queries, const Options& options, Messages& message
   tetrahedron->SetPoints(corners);
   tetrahedron->SetPolys(triangles);
   vtkNew<vtkWindingNumberProbe> probe;
+  probe->SetNamesInMessages(vtkWindingNumberAlgorithm::PROGRAM_NAMES);
   probe->SetController(nullptr);
   probe->SetInputDataObject(queries);
   probe->SetSourceData(tetrahedron);

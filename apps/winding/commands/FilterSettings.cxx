@@ -12,6 +12,7 @@
 
 void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
 {
+  filter->SetNamesInMessages(vtkWindingNumberAlgorithm::PROGRAM_NAMES);
   filter->SetMethod(options.method);
   filter->SetTolerance(options.tolerance);
   filter->SetSourceAsPoints(options.asPoints);

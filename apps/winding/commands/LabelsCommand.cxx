@@ -148,6 +148,7 @@ void writeWhole(vtkWindingNumberLabels& filter, const Options& options, Messages
   else
   {
     vtkNew<vtkWindingNumberVoxels> voxels;
+    voxels->SetNamesInMessages(vtkWindingNumberAlgorithm::PROGRAM_NAMES);
     parallel::agreeOnFirst([&] { makeSurface(voxels, image, options, messages); });
     writeResult(run, voxels->GetOutput(), output.get());
   }

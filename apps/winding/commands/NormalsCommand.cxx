@@ -163,6 +163,7 @@ void runNormals(const Options& options, Messages& messages)
     throw Failure(EXIT_REFUSED, options.input, "has no points; give a file that has some");
   }
   vtkNew<vtkWindingNumberNormals> filter;
+  filter->SetNamesInMessages(vtkWindingNumberAlgorithm::PROGRAM_NAMES);
   filter->SetInputDataObject(options.replace ? bare(input).Get() : input.Get());
   filter->EstimateNormalsOn();
   filter->SetNormalEstimation(options.normalEstimation);

@@ -38,6 +38,7 @@ void runVoxels(const Options& given, Messages& messages)
     return;
   }
   vtkNew<vtkWindingNumberVoxels> voxels;
+  voxels->SetNamesInMessages(vtkWindingNumberAlgorithm::PROGRAM_NAMES);
   voxels->SetInputData(field->GetOutput());
   voxels->SetInputArrayToProcess(0, 0, 0,
     options.cells ? vtkDataObject::FIELD_ASSOCIATION_CELLS

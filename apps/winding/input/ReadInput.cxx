@@ -16,6 +16,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkWindingNumberAlgorithm.h"
 #include "vtkWindingNumberReader.h"
 
 namespace
@@ -144,6 +145,7 @@ void readBy(vtkWindingNumberReader* reader, const std::string& fileName, Message
 {
   checkContentFits(fileName);
   messages.setSubject(fileName);
+  reader->SetNamesInMessages(vtkWindingNumberAlgorithm::PROGRAM_NAMES);
   reader->SetFileName(fileName.c_str());
   const Progress progress(reader, Phase::reading, messages.isQuiet());
   reader->Update();
