@@ -217,14 +217,9 @@ bool Triangles::isKept(std::size_t triangle) const
 InsideTest insideTestOf(const winding_rule* rule)
 {
   const winding_rule inside = known(rule, defaultRule());
-  return {ruleOf(inside), inside.winding_threshold};
-}
-
-InsideRule ruleOf(const winding_rule& rule)
-{
-  checkProperty(Parameter::insideRule, rule.inside_rule);
-  checkProperty(Parameter::windingThreshold, rule.winding_threshold);
-  return static_cast<InsideRule>(rule.inside_rule);
+  checkProperty(Parameter::insideRule, inside.inside_rule);
+  checkProperty(Parameter::windingThreshold, inside.winding_threshold);
+  return {static_cast<InsideRule>(inside.inside_rule), inside.winding_threshold};
 }
 
 FieldOptions optionsOf(const winding_options* options)

@@ -185,7 +185,6 @@ private:
 
 ///@{
 /// Choices and options of the core. Throw Refusal for values out of range.
-InsideRule ruleOf(const winding_rule& rule);
 InsideTest insideTestOf(const winding_rule* rule); ///< null for the defaults
 FieldOptions optionsOf(const winding_options* options);
 double toleranceOf(const winding_options* options);

@@ -173,17 +173,14 @@ winding_status winding_cell_fractions(const winding_field* field, winding_array 
     [&]
     {
       const winding_field& handle = required(field, "field");
-      const winding_rule inside = known(rule, defaultRule());
-      const winding::InsideRule insideRule = ruleOf(inside);
+      const winding::InsideTest isInside = insideTestOf(rule);
       const CallersCells given(points, required(cells, "cells"));
       float* const to = given.size() > 0 ? &required(fractions, "fractions") : fractions;
       Call call(run);
       winding::CellsWithoutFraction counts;
       evaluateInTime(*handle.field, given.size(), call,
-        [&]
-        {
-          counts = winding::evaluateFractions(
-            *handle.field, given, insideRule, inside.winding_threshold, to, call.executor);
+        [&] {
+          counts = winding::evaluateFractions(*handle.field, given, isInside, to, call.executor);
         });
       call.warn(winding::warningsOf(counts, given.size()));
     });

@@ -74,7 +74,7 @@ winding_values defaultValues()
 }
 
 /// Returns the output that a caller's arrays make.
-FieldOutput outputOf(const winding_values& values, const winding_rule& rule)
+FieldOutput outputOf(const winding_values& values, const winding::InsideTest& isInside)
 {
   if (values.type != WINDING_FLOAT32 && values.type != WINDING_FLOAT64)
   {
@@ -89,8 +89,7 @@ FieldOutput outputOf(const winding_values& values, const winding_rule& rule)
   output.values = areDoubles ? nullptr : static_cast<float*>(values.winding);
   output.doubleValues = areDoubles ? static_cast<double*>(values.winding) : nullptr;
   output.inside = values.inside;
-  output.rule = ruleOf(rule);
-  output.threshold = rule.winding_threshold;
+  output.isInside = isInside;
   output.distances = areDoubles ? nullptr : static_cast<float*>(values.distance);
   output.doubleDistances = areDoubles ? static_cast<double*>(values.distance) : nullptr;
   if (values.distance_limit > 0)
@@ -165,7 +164,7 @@ winding_status winding_evaluate_grid(const winding_field* field, const winding_g
     [&]
     {
       const winding_field& handle = required(field, "field");
-      const winding_rule inside = known(rule, defaultRule());
+      const winding::InsideTest isInside = insideTestOf(rule);
       const winding_values wished = known(&required(values, "values"), defaultValues());
       const Grid samples = gridOf(grid);
       const Extent part = extentOf(samples, extent);
@@ -179,7 +178,7 @@ winding_status winding_evaluate_grid(const winding_field* field, const winding_g
       voxels.samplesPerAxis = wished.coverage_samples;
       voxels.fractions = wished.fractions;
       voxels.united = wished.united;
-      voxels.output = outputOf(wished, inside);
+      voxels.output = outputOf(wished, isInside);
       voxels.output.sides = &sides;
       if (wished.gradient)
       {
@@ -201,13 +200,13 @@ winding_status winding_evaluate_grid(const winding_field* field, const winding_g
       voxels.output.inside = own.empty() ? wished.inside : own.data();
       evaluateInTime(*handle.field, count, call,
         [&] { voxels.run(*handle.field, samples, part, call.executor); });
-      const unsigned char* const isInside = voxels.output.inside;
+      const unsigned char* const inside = voxels.output.inside;
       winding::ResultOnGrid result;
       result.sides = sides.counts(count);
       std::size_t insideCount = result.sides.inside;
-      if (isInside)
+      if (inside)
       {
-        insideCount = static_cast<std::size_t>(std::count(isInside, isInside + count, 1));
+        insideCount = static_cast<std::size_t>(std::count(inside, inside + count, 1));
       }
       if (isWhole)
       {
@@ -218,16 +217,14 @@ winding_status winding_evaluate_grid(const winding_field* field, const winding_g
         result.isInside = [&](int i, int j, int k)
         {
           const std::size_t n = winding::sampleNumber(part, i, j, k);
-          return isInside ? isInside[n] != 0
-                          : winding::isInside(voxels.output.values ? voxels.output.values[n]
-                                                                   : voxels.output.doubleValues[n],
-                              voxels.output.rule, voxels.output.threshold);
+          return inside ? inside[n] != 0
+                        : isInside(voxels.output.values ? voxels.output.values[n]
+                                                        : voxels.output.doubleValues[n]);
         };
         call.executor.setShare(1, 1);
         winding::warnOfOpenSide(
-          *handle.field, {voxels.output.threshold, result.takesTouchedVoxels}, call.run);
-        winding::warnOfResult(
-          *handle.field, samples, result, {voxels.output.rule, voxels.output.threshold}, call.run);
+          *handle.field, {isInside.threshold, result.takesTouchedVoxels}, call.run);
+        winding::warnOfResult(*handle.field, samples, result, isInside, call.run);
       }
       winding_values written = wished;
       written.inside_count = static_cast<int64_t>(insideCount);
@@ -243,7 +240,7 @@ winding_status winding_evaluate_points(const winding_field* field, winding_array
     [&]
     {
       const winding_field& handle = required(field, "field");
-      const winding_rule inside = known(rule, defaultRule());
+      const winding::InsideTest isInside = insideTestOf(rule);
       const winding_values wished = known(&required(values, "values"), defaultValues());
       const winding::VectorsView samples = vectorsOf(points, "points");
       if (wished.fractions || wished.united || wished.coverage != WINDING_COVERAGE_CENTER)
@@ -252,7 +249,7 @@ winding_status winding_evaluate_points(const winding_field* field, winding_array
       }
       Call call(run);
       winding::SideTally sides;
-      FieldOutput output = outputOf(wished, inside);
+      FieldOutput output = outputOf(wished, isInside);
       output.sides = &sides;
       evaluateInTime(*handle.field, samples.size(), call,
         [&]
@@ -268,7 +265,7 @@ winding_status winding_evaluate_points(const winding_field* field, winding_array
         });
       const winding::SideCounts counts = sides.counts(samples.size());
       call.executor.setShare(1, 1);
-      winding::warnOfSides(*handle.field, counts, {output.rule, output.threshold}, call.run);
+      winding::warnOfSides(*handle.field, counts, isInside, call.run);
       winding_values written = wished;
       written.inside_count = static_cast<int64_t>(counts.inside);
       give(written, *values);

@@ -36,13 +36,11 @@ winding::LabelOptions optionsOf(const winding_rule* rule, const winding_label_op
   winding::checkProperty(winding::Parameter::overlapRule, wished.overlap_rule);
   winding::checkProperty(winding::Parameter::coverage, wished.coverage);
   winding::checkProperty(winding::Parameter::coverageSamples, wished.coverage_samples);
-  const winding::InsideTest isInside = insideTestOf(rule);
   winding::LabelOptions options;
   options.overlapRule = static_cast<winding::OverlapRule>(wished.overlap_rule);
   options.voxels.coverage = static_cast<winding::Coverage>(wished.coverage);
   options.voxels.samplesPerAxis = wished.coverage_samples;
-  options.voxels.output.rule = isInside.rule;
-  options.voxels.output.threshold = isInside.threshold;
+  options.voxels.output.isInside = insideTestOf(rule);
   return options;
 }
 

@@ -563,9 +563,6 @@ protected:
 
   winding::InsideTest GetInsideTest() const;
 
-  /// Whether a sample that is half inside does not count, so that a lower threshold may help.
-  bool HasHighThreshold() const { return this->InsideRule != ODD && this->WindingThreshold > 0.5; }
-
   /// Information on the field that facts are about: the last one, unless a filter with several
   /// sources says otherwise.
   virtual const winding::FieldInfo& GetSourceInfo() const;

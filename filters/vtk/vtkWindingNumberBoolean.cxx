@@ -347,8 +347,8 @@ int vtkWindingNumberBoolean::RequestData(
   {
     const std::string name = blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME());
     const int number = static_cast<int>(i);
-    this->OperandTest->rule = winding::coreInsideRule(this->GetOperandInsideRule(number));
-    this->OperandTest->threshold = this->GetOperandThreshold(number);
+    *this->OperandTest = {winding::coreInsideRule(this->GetOperandInsideRule(number)),
+      this->GetOperandThreshold(number)};
     this->ChooseSource(i, name);
     this->SetProgressShiftScale(static_cast<double>(i) / (count + 1), 1.0 / (count + 1));
     this->AddOperand(blocks->GetBlock(i), name);

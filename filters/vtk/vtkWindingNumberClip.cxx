@@ -72,8 +72,8 @@ void vtkWindingNumberClip::FinishSamples(
 {
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   executor.setShare(progressOfSamples, progressOfDistances);
-  this->CutDistances = winding::cutDistances(field, queries, inside,
-    winding::coreInsideRule(this->InsideRule), this->WindingThreshold, executor);
+  this->CutDistances =
+    winding::cutDistances(field, queries, inside, this->GetInsideTest(), executor);
   this->SamplesDone = 0;
 }
 

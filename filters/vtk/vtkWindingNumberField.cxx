@@ -98,8 +98,7 @@ void vtkWindingNumberField::UniteTimes(vtkImageData* all, vtkImageData* other)
   const std::string name = winding::textOf(this->ResultArrayName);
   const std::string ofValues = name.empty() ? "WindingNumber" : name;
   this->NumberOfInsideSamples = winding::uniteResults(this->GetAttributes(all),
-    this->GetAttributes(other), this->GenerateWindingNumber ? ofValues : "",
-    winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
+    this->GetAttributes(other), this->GenerateWindingNumber ? ofValues : "", this->GetInsideTest());
   this->SampleCounts[1] = this->NumberOfInsideSamples;
 }
 
@@ -170,7 +169,7 @@ void vtkWindingNumberField::EvaluateVoxels(
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   const winding::Grid& grid = this->GetSampling();
   winding::VoxelEvaluation voxels = this->GetVoxelEvaluation();
-  voxels.output = results.output(winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
+  voxels.output = results.output(this->GetInsideTest());
   voxels.output.distanceLimit = this->GetDistanceLimit();
   winding::SideTally sides;
   const bool isWhole = samples == grid.wholeExtent();
@@ -211,8 +210,7 @@ void vtkWindingNumberField::EvaluateVoxels(
         result.sides = counts;
         result.isInside = [&](int i, int j, int k)
         {
-          return results.isInside(
-            winding::sampleNumber(samples, i, j, k), voxels.output.rule, voxels.output.threshold);
+          return results.isInside(winding::sampleNumber(samples, i, j, k), voxels.output.isInside);
         };
         // Warnings are about this time, whatever earlier ones have inside.
         result.isEmpty = sweptWords > 0 ? counts.inside == 0 : this->NumberOfInsideSamples == 0;

@@ -181,8 +181,7 @@ winding::LabelOptions vtkWindingNumberLabels::GetLabelOptions() const
 {
   winding::LabelOptions options;
   options.voxels = this->GetVoxelEvaluation();
-  options.voxels.output.rule = winding::coreInsideRule(this->InsideRule);
-  options.voxels.output.threshold = this->WindingThreshold;
+  options.voxels.output.isInside = this->GetInsideTest();
   options.overlapRule = static_cast<winding::OverlapRule>(this->OverlapRule);
   return options;
 }

@@ -163,8 +163,8 @@ void vtkWindingNumberProbe::EvaluateMore(
   this->Fractions->SetNumberOfTuples(count);
   float* const fractions = this->Fractions->GetPointer(0);
   executor.setShare(this->GetProgressOfSamples(), 1);
-  const winding::CellsWithoutFraction counts = winding::evaluateFractions(field, cells,
-    winding::coreInsideRule(this->InsideRule), this->WindingThreshold, fractions, executor);
+  const winding::CellsWithoutFraction counts =
+    winding::evaluateFractions(field, cells, this->GetInsideTest(), fractions, executor);
   for (vtkIdType i = 0; this->InsideOut && i < count; ++i)
   {
     fractions[i] = 1 - fractions[i];

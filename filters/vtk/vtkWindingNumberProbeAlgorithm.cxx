@@ -220,8 +220,7 @@ void vtkWindingNumberProbeAlgorithm::EvaluateSamples(const winding::Field& field
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   const double progress = this->GetProgressOfSamples();
   executor.setShare(0, progress);
-  winding::FieldOutput output =
-    results.output(winding::coreInsideRule(this->InsideRule), this->WindingThreshold);
+  winding::FieldOutput output = results.output(this->GetInsideTest());
   winding::SideTally sides;
   output.sides = &sides;
   const std::optional<winding::Grid>& grid = queries.grid();
@@ -284,7 +283,7 @@ void vtkWindingNumberProbeAlgorithm::WarnOfOutside(const winding::Field& field,
   {
     std::vector<winding::Remedy> remedies = {
       {"look whether the source is closed", {winding::Parameter::surfaceReport}}};
-    if (this->HasHighThreshold())
+    if (this->GetInsideTest().hasHighThreshold())
     {
       remedies.insert(remedies.begin(), winding::lowerThreshold());
     }

@@ -188,8 +188,7 @@ void vtkWindingNumberSurface::VerifyWholeGrid(const winding::Field& field)
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   if (samples > 0)
   {
-    field.evaluate(grid, extent,
-      values.output(winding::coreInsideRule(this->InsideRule), this->WindingThreshold), executor);
+    field.evaluate(grid, extent, values.output(this->GetInsideTest()), executor);
   }
   this->Verify(field, extent, values.values());
 }

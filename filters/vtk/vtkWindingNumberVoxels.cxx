@@ -49,26 +49,25 @@ namespace
 struct Classify
 {
   template <class Array>
-  void operator()(Array* values, winding::InsideRule rule, double threshold,
-    std::vector<unsigned char>& inside) const
+  void operator()(
+    Array* values, const winding::InsideTest& isInside, std::vector<unsigned char>& inside) const
   {
     const auto range = vtk::DataArrayValueRange<1>(values);
     inside.reserve(static_cast<std::size_t>(range.size()));
     for (const auto value : range)
     {
-      inside.push_back(winding::isInside(static_cast<double>(value), rule, threshold));
+      inside.push_back(isInside(static_cast<double>(value)));
     }
   }
 };
 
 /// 1 for each value that is inside, and 0 for any other.
-std::vector<unsigned char> classify(
-  vtkDataArray* values, winding::InsideRule rule, double threshold)
+std::vector<unsigned char> classify(vtkDataArray* values, const winding::InsideTest& isInside)
 {
   std::vector<unsigned char> inside;
-  if (!vtkArrayDispatch::Dispatch::Execute(values, Classify{}, rule, threshold, inside))
+  if (!vtkArrayDispatch::Dispatch::Execute(values, Classify{}, isInside, inside))
   {
-    Classify{}(values, rule, threshold, inside);
+    Classify{}(values, isInside, inside);
   }
   return inside;
 }
@@ -340,7 +339,8 @@ vtkDataArray* vtkWindingNumberVoxels::FindValues(vtkImageData* image, int& assoc
 void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* output)
 {
   winding::checkProperty(winding::Parameter::windingThreshold, this->WindingThreshold);
-  const winding::InsideRule rule = winding::coreInsideRule(this->InsideRule);
+  const winding::InsideTest isInside = {
+    winding::coreInsideRule(this->InsideRule), this->WindingThreshold};
   winding::checkProperty(winding::Parameter::byLabel, this->ByLabel);
   winding::checkStructure(image, "the image");
   if (image->GetNumberOfPoints() == 0)
@@ -360,8 +360,8 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
     return;
   }
   auto voxels = voxelsOf<unsigned char>(image, values, asCells);
-  voxels.labels = classify(values, rule, this->WindingThreshold);
-  if (rule == winding::InsideRule::signedThreshold && !isAny(voxels.labels))
+  voxels.labels = classify(values, isInside);
+  if (isInside.rule == winding::InsideRule::signedThreshold && !isAny(voxels.labels))
   {
     this->WarnOfNegative(values);
   }

@@ -97,7 +97,7 @@ std::vector<float> fractionsIn(const Field& field, const Grid& grid, const Exten
   int perAxis, InsideRule rule, Executor& executor)
 {
   std::vector<float> fractions(sampleCount(extent), -1);
-  const CoverageFractions sampling(field, grid, extent, perAxis, rule, 0.5, fractions.data());
+  const CoverageFractions sampling(field, grid, extent, perAxis, {rule}, fractions.data());
   for (int part = 0; part < sampling.parts(); ++part)
   {
     sampling.evaluate(part, executor);
@@ -179,9 +179,9 @@ std::string checkCoverage(Choices& choices)
     std::vector<unsigned char> inside(sampleCount(extent));
     FieldOutput output;
     output.inside = inside.data();
-    output.rule = rule;
+    output.isInside.rule = rule;
     field->evaluate(grid, extent, output, executor);
-    addOverlap(*field, grid, extent, rule, output.threshold, inside.data(), executor);
+    addOverlap(*field, grid, extent, output.isInside, inside.data(), executor);
     return inside;
   };
   const auto overlap = overlapIn(whole, serial);

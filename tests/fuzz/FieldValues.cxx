@@ -36,7 +36,7 @@ FieldValues evaluated(std::size_t samples, bool withDistances, const Evaluate& e
   evaluate(output);
   for (std::size_t i = 0; i < samples && found.failure.empty(); ++i)
   {
-    const bool isInside = winding::isInside(found.values[i], output.rule, output.threshold);
+    const bool isInside = output.isInside(found.values[i]);
     if (found.inside[i] != isInside)
     {
       found.failure = "inside contradicts the value " + std::to_string(found.values[i]);

@@ -90,7 +90,7 @@ Block randomBlock(Choices& choices, const Field& field)
 
 /// The share of random samples of a block that are inside, and how many there are.
 std::pair<double, int> sampledShare(
-  Choices& choices, const Field& field, const Block& block, InsideRule rule, double threshold)
+  Choices& choices, const Field& field, const Block& block, const InsideTest& isInside)
 {
   constexpr int count = 500;
   std::vector<Point> samples;
@@ -102,8 +102,7 @@ std::pair<double, int> sampledShare(
   std::vector<unsigned char> inside(samples.size());
   FieldOutput output;
   output.inside = inside.data();
-  output.rule = rule;
-  output.threshold = threshold;
+  output.isInside = isInside;
   field.evaluate(VectorsView(samples[0].data(), samples.size()), output, serial);
   return {static_cast<double>(std::count(inside.begin(), inside.end(), 1)) / count, count};
 }
@@ -122,8 +121,7 @@ std::string checkFractions(Choices& choices)
   {
     return {};
   }
-  const InsideRule rule = randomRule(choices);
-  const double threshold = randomThreshold(choices);
+  const InsideTest isInside = {randomRule(choices), randomThreshold(choices)};
   const Block block = randomBlock(choices, *field);
   const double part = choices.between(0.1, 0.9);
   CellList cells;
@@ -139,8 +137,8 @@ std::string checkFractions(Choices& choices)
   BackwardExecutor backward;
   std::vector<float> fractions(cells.size()), again(cells.size());
   const CellsWithoutFraction counts =
-    evaluateFractions(*field, cells, rule, threshold, fractions.data(), serial);
-  evaluateFractions(*field, cells, rule, threshold, again.data(), backward);
+    evaluateFractions(*field, cells, isInside, fractions.data(), serial);
+  evaluateFractions(*field, cells, isInside, again.data(), backward);
   if (fractions != again)
   {
     return "fractions depend on the executor";
@@ -175,12 +173,12 @@ std::string checkFractions(Choices& choices)
     }
   }
   // At points of clouds w has no bound, and changes from even to odd and back without end.
-  if (rule == InsideRule::odd && !field->info().jumpsOnly())
+  if (isInside.rule == InsideRule::odd && !field->info().jumpsOnly())
   {
     return {};
   }
   // Six standard deviations, and what is interpolated near holes and points.
-  const auto [sampled, count] = sampledShare(choices, *field, block, rule, threshold);
+  const auto [sampled, count] = sampledShare(choices, *field, block, isInside);
   const double deviation = std::sqrt(std::max(whole * (1 - whole), 1.0 / count) / count);
   const double limit = 6 * deviation + (field->info().jumpsOnly() ? 0 : 0.5);
   return std::abs(sampled - whole) > limit

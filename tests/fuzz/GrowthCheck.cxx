@@ -163,7 +163,7 @@ void fractionsIn(const Mesh& mesh, double size)
 {
   const auto field = Field::build(viewsOf(mesh), FieldOptions(), serial);
   float fraction = 0;
-  evaluateFractions(*field, OneCell(size), InsideRule::signedThreshold, 0.5, &fraction, serial);
+  evaluateFractions(*field, OneCell(size), winding::InsideTest(), &fraction, serial);
 }
 
 void fractions(const Mesh& mesh)

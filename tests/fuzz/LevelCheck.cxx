@@ -103,13 +103,12 @@ std::string checkLevel(Choices& choices)
     return {};
   }
   const Grid grid = randomGrid(choices, field->info().bounds);
-  const InsideRule rule = randomRule(choices);
-  const double threshold = randomThreshold(choices);
+  const InsideTest isInside = {randomRule(choices), randomThreshold(choices)};
   const bool border = choices.oneIn(2);
   BackwardExecutor backward;
 
-  LevelEdges edges(*field, grid, rule, threshold, border);
-  LevelEdges slabs(*field, grid, rule, threshold, border, 1);
+  LevelEdges edges(*field, grid, isInside, border);
+  LevelEdges slabs(*field, grid, isInside, border, 1);
   findEdges(edges, serial);
   findEdges(slabs, backward);
   if (!areSame(edges, slabs))
@@ -121,15 +120,14 @@ std::string checkLevel(Choices& choices)
   FieldOutput output;
   output.inside = inside.data();
   output.values = values.data();
-  output.rule = rule;
-  output.threshold = threshold;
+  output.isInside = isInside;
   field->evaluate(grid, grid.wholeExtent(), output, serial);
   if (countChanges(grid, inside, border) != edges.size())
   {
     return "there are other edges than the sides of the samples tell";
   }
-  LevelRoots roots(*field, grid, edges, rule, threshold, 1e-3, serial);
-  LevelRoots again(*field, grid, edges, rule, threshold, 1e-3, backward);
+  LevelRoots roots(*field, grid, edges, isInside, 1e-3, serial);
+  LevelRoots again(*field, grid, edges, isInside, 1e-3, backward);
   const std::string failure = findRoots(roots, serial) + findRoots(again, backward);
   if (!failure.empty())
   {
@@ -149,26 +147,23 @@ struct Operand
   Operand(std::shared_ptr<const Field> source, const Grid& grid, Choices& choices, bool border,
     Executor& executor)
     : field(std::move(source))
-    , rule(randomRule(choices))
-    , threshold(randomThreshold(choices))
-    , edges(*field, grid, rule, threshold, border)
+    , isInside{randomRule(choices), randomThreshold(choices)}
+    , edges(*field, grid, isInside, border)
     , roots(0)
     , inside(sampleCount(grid.wholeExtent()))
   {
     findEdges(edges, executor);
-    LevelRoots found(*field, grid, edges, rule, threshold, 1e-3, executor);
+    LevelRoots found(*field, grid, edges, isInside, 1e-3, executor);
     failure = findRoots(found, executor);
     roots = found.take();
     FieldOutput output;
     output.inside = inside.data();
-    output.rule = rule;
-    output.threshold = threshold;
+    output.isInside = isInside;
     field->evaluate(grid, grid.wholeExtent(), output, executor);
   }
 
   std::shared_ptr<const Field> field;
-  InsideRule rule;
-  double threshold;
+  InsideTest isInside;
   LevelEdges edges;
   EdgeRoots roots;
   std::vector<unsigned char> inside;
@@ -337,8 +332,8 @@ std::string checkShape(Choices& choices)
   const SolidShape shape = randomShape(choices, grid.spacing.maxCoeff());
   const auto make = [&](Executor& executor)
   {
-    return std::make_unique<const ShapedSolid>(*solid.field, grid, solid.rule, solid.threshold,
-      1e-3, solid.edges, solid.roots, shape, isSharp, executor);
+    return std::make_unique<const ShapedSolid>(
+      *solid.field, grid, solid.isInside, 1e-3, solid.edges, solid.roots, shape, isSharp, executor);
   };
   const auto shaped = make(serial), again = make(backward);
   if (!areSame(shaped->edges(), again->edges()) ||

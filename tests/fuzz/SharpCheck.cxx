@@ -35,14 +35,14 @@ constexpr int mostRounds = 100;
 /// Everything that a sharp surface is made of.
 struct Sharp
 {
-  Sharp(const Field& field, const Grid& grid, InsideRule rule, double threshold, Executor& executor)
-    : edges(field, grid, rule, threshold, true)
+  Sharp(const Field& field, const Grid& grid, const InsideTest& isInside, Executor& executor)
+    : edges(field, grid, isInside, true)
   {
     while (!edges.isDone())
     {
       edges.advance(executor);
     }
-    roots = std::make_unique<LevelRoots>(field, grid, edges, rule, threshold, 1e-3, executor);
+    roots = std::make_unique<LevelRoots>(field, grid, edges, isInside, 1e-3, executor);
     for (int round = 0; !roots->isDone() && round < mostRounds; ++round)
     {
       roots->advance(executor);
@@ -147,11 +147,10 @@ std::string checkSharp(Choices& choices)
     return {};
   }
   const Grid grid = randomGrid(choices, field->info().bounds);
-  const InsideRule rule = randomRule(choices);
-  const double threshold = randomThreshold(choices);
+  const InsideTest isInside = {randomRule(choices), randomThreshold(choices)};
   BackwardExecutor backward;
-  const Sharp sharp(*field, grid, rule, threshold, serial);
-  const Sharp again(*field, grid, rule, threshold, backward);
+  const Sharp sharp(*field, grid, isInside, serial);
+  const Sharp again(*field, grid, isInside, backward);
   if (!sharp.roots->isDone())
   {
     return "the search for roots does not end";

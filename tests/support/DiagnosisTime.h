@@ -46,13 +46,12 @@ inline DiagnosisTime diagnosisTime(const std::vector<winding::TrianglesView>& vi
   const double middle = threadSeconds();
   const winding::Diagnosis& diagnosis = field->diagnosis();
   diagnosis.ofSource(serial);
-  const winding::InsideRule rule = winding::InsideRule::signedThreshold;
-  diagnosis.facing(sides.counts(values.size()), rule, 0.5, serial);
+  diagnosis.facing(sides.counts(values.size()), winding::InsideTest(), serial);
   const auto isInside = [&](int i, int j, int k)
   {
     return values[winding::sampleNumber(extent, i, j, k)] >= 0.5F;
   };
-  diagnosis.thinParts(grid, isInside, rule, 0.5, serial);
+  diagnosis.thinParts(grid, isInside, winding::InsideTest(), serial);
   time.answer = middle - start;
   time.diagnosis = threadSeconds() - middle;
   return time;

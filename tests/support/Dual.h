@@ -18,7 +18,7 @@ namespace shapes
 struct Dual
 {
   Dual(const BitField& field, const winding::Grid& grid, winding::Executor& executor)
-    : edges(field, grid, winding::InsideRule::signedThreshold, 0.5, true)
+    : edges(field, grid, winding::InsideTest(), true)
   {
     while (!edges.isDone())
     {

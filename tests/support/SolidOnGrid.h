@@ -17,15 +17,14 @@ struct SolidOnGrid
   SolidOnGrid(
     const Mesh& mesh, const winding::Grid& grid, bool withBorder, winding::Executor& executor)
     : field(fieldOf(mesh))
-    , edges(*field, grid, winding::InsideRule::signedThreshold, 0.5, withBorder)
+    , edges(*field, grid, winding::InsideTest(), withBorder)
     , roots(0)
   {
     while (!edges.isDone())
     {
       edges.advance(executor);
     }
-    winding::LevelRoots found(
-      *field, grid, edges, winding::InsideRule::signedThreshold, 0.5, 1e-3, executor);
+    winding::LevelRoots found(*field, grid, edges, winding::InsideTest(), 1e-3, executor);
     while (!found.isDone())
     {
       found.advance(executor);

@@ -488,8 +488,8 @@ TEST_F(Clip, NumbersTellTheSideOfPointsOnTheSourceToo)
     onFaces += kept.back();
   }
   ASSERT_EQ(onFaces, 10u);
-  const std::vector<double> numbers = winding::cutDistances(
-    *field, queries, kept.data(), winding::InsideRule::signedThreshold, 0.5, serial);
+  const std::vector<double> numbers =
+    winding::cutDistances(*field, queries, kept.data(), winding::InsideTest(), serial);
   ASSERT_EQ(numbers.size(), kept.size());
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {

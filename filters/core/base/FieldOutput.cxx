@@ -44,7 +44,9 @@ SideCounts FieldOutput::countSides(const Real* from, std::size_t count) const
 {
   SideCounts counts;
   std::for_each(from, from + count,
-    [&](Real value) { counts.add(this->kept(value), this->threshold, 1, Rule); });
+    [&](Real value) {
+      counts.add(this->kept(value), {Rule, this->isInside.threshold});
+    });
   return counts;
 }
 
@@ -84,15 +86,13 @@ void FieldOutput::writeSummed(const Real* from, std::size_t first, std::size_t c
   if (this->inside)
   {
     std::transform(from, from + count, this->inside + first,
-      [this](Real value) {
-        return static_cast<unsigned char>(isInside(this->kept(value), this->rule, this->threshold));
-      });
+      [this](Real value) { return static_cast<unsigned char>(this->isInside(this->kept(value))); });
   }
   if (this->sides)
   {
-    this->sides->add(this->rule == InsideRule::signedThreshold
+    this->sides->add(this->isInside.rule == InsideRule::signedThreshold
                        ? this->countSides<InsideRule::signedThreshold>(from, count)
-                     : this->rule == InsideRule::absoluteThreshold
+                     : this->isInside.rule == InsideRule::absoluteThreshold
                        ? this->countSides<InsideRule::absoluteThreshold>(from, count)
                        : this->countSides<InsideRule::odd>(from, count));
   }
@@ -114,13 +114,13 @@ void FieldOutput::fill(double sum, std::size_t first, std::size_t count) const
   }
   if (this->inside)
   {
-    std::fill_n(this->inside + first, count,
-      static_cast<unsigned char>(isInside(this->kept(value), this->rule, this->threshold)));
+    std::fill_n(
+      this->inside + first, count, static_cast<unsigned char>(this->isInside(this->kept(value))));
   }
   if (this->sides)
   {
     SideCounts counts;
-    counts.add(this->kept(value), this->threshold, count, this->rule);
+    counts.add(this->kept(value), this->isInside, count);
     this->sides->add(counts);
   }
 }
@@ -148,20 +148,20 @@ bool FieldOutput::isInsideAt(std::size_t sample) const
     return this->inside[sample] != 0;
   }
   const double kept = this->doubleValues ? this->doubleValues[sample] : this->values[sample];
-  return isInside(kept, this->rule, this->threshold);
+  return this->isInside(kept);
 }
 
 void FieldOutput::writeDistance(double distance, std::size_t sample) const
 {
-  const bool isInside = this->isInsideAt(sample);
+  const bool isNegative = this->isInsideAt(sample);
   const double limited = distance > this->distanceLimit ? this->distanceLimit : distance;
   if (this->distances)
   {
-    this->distances[sample] = signedDistance<float>(limited, isInside);
+    this->distances[sample] = signedDistance<float>(limited, isNegative);
   }
   if (this->doubleDistances)
   {
-    this->doubleDistances[sample] = signedDistance<double>(limited, isInside);
+    this->doubleDistances[sample] = signedDistance<double>(limited, isNegative);
   }
 }
 

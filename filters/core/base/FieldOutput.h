@@ -21,8 +21,7 @@ struct FieldOutput
   /// 1 inside, 0 outside, decided on the value as the array stores it: rounded to float unless
   /// doubleValues is set.
   unsigned char* inside = nullptr;
-  InsideRule rule = InsideRule::signedThreshold;
-  double threshold = 0.5;
+  InsideTest isInside;
   /// A number to be added to all values, before anything is decided on them.
   double added = 0;
   /// Adds up the samples that are written, by w as the array stores it, and by the rule.

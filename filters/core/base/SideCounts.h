@@ -20,12 +20,11 @@ struct SideCounts
   std::size_t negative = 0;
 
   /// Counts one more value `times` times. A threshold of 0 or less has no other side.
-  void add(double value, double threshold, std::size_t times = 1,
-    InsideRule rule = InsideRule::signedThreshold)
+  void add(double value, const InsideTest& isInside, std::size_t times = 1)
   {
     samples += times;
-    inside += isInside(value, rule, threshold) ? times : 0;
-    negative += threshold > 0 && value <= -threshold ? times : 0;
+    inside += isInside(value) ? times : 0;
+    negative += isInside.threshold > 0 && value <= -isInside.threshold ? times : 0;
   }
 
   SideCounts& operator+=(const SideCounts& other)
@@ -47,7 +46,7 @@ SideCounts countSides(std::size_t values, double threshold, const ValueAt& value
   SideCounts counts;
   for (std::size_t i = 0; i < values; i += step)
   {
-    counts.add(valueAt(i), threshold);
+    counts.add(valueAt(i), {InsideRule::signedThreshold, threshold});
   }
   return counts;
 }

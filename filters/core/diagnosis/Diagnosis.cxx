@@ -601,10 +601,10 @@ bool Diagnosis::looksMostlyInward(Executor& executor) const
 }
 
 Facing Diagnosis::facing(
-  const SideCounts& sides, InsideRule rule, double threshold, Executor& executor) const
+  const SideCounts& sides, const InsideTest& isInside, Executor& executor) const
 {
   Facing facing;
-  if (rule != InsideRule::signedThreshold || facts_.isSheet || sides.negative == 0 ||
+  if (isInside.rule != InsideRule::signedThreshold || facts_.isSheet || sides.negative == 0 ||
       this->hasNoSides(executor))
   {
     return facing;
@@ -634,7 +634,7 @@ Facing Diagnosis::facing(
   if (facing.looksInward)
   {
     facing.isInsideOut = sides.negative > sides.inside;
-    facing.warning = insideOutAdvice(cloud_ ? "normals" : "faces", sides, threshold);
+    facing.warning = insideOutAdvice(cloud_ ? "normals" : "faces", sides, isInside.threshold);
   }
   else if (areSheets && !facts_.openings.areWide())
   {
@@ -643,25 +643,25 @@ Facing Diagnosis::facing(
   return facing;
 }
 
-std::optional<ThinParts> Diagnosis::thinParts(const Grid& grid, const IsSampleInside& isInside,
-  InsideRule rule, double threshold, Executor& executor) const
+std::optional<ThinParts> Diagnosis::thinParts(const Grid& grid,
+  const IsSampleInside& isSampleInside, const InsideTest& isInside, Executor& executor) const
 {
   if (cloud_ || facts_.distinct->triangles.empty())
   {
     return std::nullopt;
   }
-  ThinParts parts = thinPartsOf(this->walls(executor), grid, isInside);
+  ThinParts parts = thinPartsOf(this->walls(executor), grid, isSampleInside);
   if (parts.areWorthTelling())
   {
-    this->keepBounds(rule, threshold, grid, executor, parts);
+    this->keepBounds(isInside, grid, executor, parts);
   }
   // Parts of larger surfaces are looked at where some of it is not shown.
   constexpr std::size_t few = 1 << 15, most = 1 << 16;
   const std::size_t triangles = facts_.distinct->triangles.size();
-  if (isInside && !parts.areWorthTelling() && this->isClosed() &&
+  if (isSampleInside && !parts.areWorthTelling() && this->isClosed() &&
       triangles <= (parts.hasLostPoints ? most : few))
   {
-    countLostComponents(*facts_.distinct, grid, isInside, parts);
+    countLostComponents(*facts_.distinct, grid, isSampleInside, parts);
   }
   return parts;
 }
@@ -669,13 +669,12 @@ std::optional<ThinParts> Diagnosis::thinParts(const Grid& grid, const IsSampleIn
 /// Leaves of thin parts what bounds something: it has the outside before it, and the inside behind,
 /// as far as both ends of lines agree. All of a large closed surface counts.
 void Diagnosis::keepBounds(
-  InsideRule rule, double threshold, const Grid& grid, Executor& executor, ThinParts& parts) const
+  const InsideTest& isInside, const Grid& grid, Executor& executor, ThinParts& parts) const
 {
   const std::lock_guard<std::recursive_mutex> lock(lock_);
   const auto isBound = [&](const SampleLine& line)
   {
-    return line.isClear() && winding::isInside(line.behind, rule, threshold) &&
-           !winding::isInside(line.before, rule, threshold);
+    return line.isClear() && isInside(line.behind) && !isInside(line.before);
   };
   const WallSamples& walls = this->walls(executor);
   std::vector<std::size_t> chosen = walls.inOrder();

@@ -110,13 +110,12 @@ public:
    * a cloud w has any value; so for clouds most of these samples must be negative, and most normals
    * must point inward as well (CloudOrientation.h).
    */
-  Facing facing(
-    const SideCounts& sides, InsideRule rule, double threshold, Executor& executor) const;
+  Facing facing(const SideCounts& sides, const InsideTest& isInside, Executor& executor) const;
 
   /// Finds the parts of a surface that a grid does not show. Nothing is found for clouds. Callers
   /// leave out surfaces that look inward, whose inside is another one.
-  std::optional<ThinParts> thinParts(const Grid& grid, const IsSampleInside& isInside,
-    InsideRule rule, double threshold, Executor& executor) const;
+  std::optional<ThinParts> thinParts(const Grid& grid, const IsSampleInside& isSampleInside,
+    const InsideTest& isInside, Executor& executor) const;
 
 private:
   /// Lines through some points of the area and of repeated triangles.
@@ -157,8 +156,8 @@ private:
   bool hasInwardSolid(Executor& executor) const;
   bool looksMostlyInward(Executor& executor) const;
   bool changeInside(const std::vector<SurfaceSample>& points) const;
-  void keepBounds(InsideRule rule, double threshold, const Grid& grid, Executor& executor,
-    ThinParts& parts) const;
+  void keepBounds(
+    const InsideTest& isInside, const Grid& grid, Executor& executor, ThinParts& parts) const;
 
   SurfaceFacts facts_ = {};
   const PointCloud* cloud_ = nullptr;

@@ -150,7 +150,7 @@ public:
 
   /// Evaluates layers firstLayer to lastLayer.
   void evaluate(const Field& field, const Grid& grid, int firstLayer, int lastLayer,
-    InsideRule rule, double threshold, Executor& executor)
+    const InsideTest& isInside, Executor& executor)
   {
     const auto lastBefore = static_cast<std::ptrdiff_t>(layerSize_) * (extent_[5] - extent_[4]);
     if (lastBefore > 0)
@@ -164,8 +164,7 @@ public:
     FieldOutput output;
     output.values = values_.data() + layerSize_;
     output.inside = inside_.data();
-    output.rule = rule;
-    output.threshold = threshold;
+    output.isInside = isInside;
     field.evaluate(grid, evaluated, output, executor);
   }
 
@@ -181,13 +180,13 @@ public:
     describeSides(row, extent_[1] + 1, runs);
   }
 
-  SideCounts countSides(int k, double threshold) const
+  SideCounts countSides(int k, const InsideTest& isInside) const
   {
     const float* values = values_.data() + sampleNumber(extent_, 0, 0, k);
     SideCounts counts;
     for (std::size_t i = 0; i < layerSize_; ++i)
     {
-      counts.add(values[i], threshold);
+      counts.add(values[i], isInside);
     }
     return counts;
   }
@@ -199,12 +198,11 @@ private:
   std::vector<std::uint8_t> inside_;
 };
 
-LevelEdges::LevelEdges(const Field& field, const Grid& grid, InsideRule rule, double threshold,
+LevelEdges::LevelEdges(const Field& field, const Grid& grid, const InsideTest& isInside,
   bool withBorder, double slabBytes)
   : field_(&field)
   , grid_(grid)
-  , rule_(rule)
-  , threshold_(threshold)
+  , isInside_(isInside)
   , border_(withBorder ? 1 : 0)
   , layersPerSlab_(layersOfSlab(grid, slabBytes))
   , rows_(field.integerRows())
@@ -386,8 +384,8 @@ void LevelEdges::advanceByRuns(Executor& executor)
   std::vector<Layer> layers(depth + 2, Layer(border_));
   const auto stateOf = [this](const RowRun& run)
   {
-    return Layer::State{isInside(run.value, rule_, threshold_),
-      static_cast<std::int8_t>(std::clamp<int>(run.value, -127, 127))};
+    return Layer::State{
+      isInside_(run.value), static_cast<std::int8_t>(std::clamp<int>(run.value, -127, 127))};
   };
   std::vector<SideCounts> sides(depth);
   // All rows of a layer make one band.
@@ -401,7 +399,7 @@ void LevelEdges::advanceByRuns(Executor& executor)
         layers[k + 1].addRow(runs, stateOf);
         for (const RowRun& run : runs)
         {
-          sides[k].add(run.value, threshold_, static_cast<std::size_t>(run.end - run.begin));
+          sides[k].add(run.value, isInside_, static_cast<std::size_t>(run.end - run.begin));
         }
       });
   };
@@ -418,7 +416,7 @@ void LevelEdges::advanceBySamples(Executor& executor)
   {
     slab_ = std::make_unique<Slab>(grid_, end);
   }
-  slab_->evaluate(*field_, grid_, nextLayer_, end - 1, rule_, threshold_, executor);
+  slab_->evaluate(*field_, grid_, nextLayer_, end - 1, isInside_, executor);
   const auto count = static_cast<std::size_t>(end - nextLayer_);
   std::vector<Layer> layers(count + 1, Layer(border_));
   layers[0] = std::move(*lastLayer_);
@@ -434,9 +432,9 @@ void LevelEdges::advanceBySamples(Executor& executor)
         slab_->findRuns(j, k, runs);
         layers[n + 1].addRow(runs, Layer::sideOf);
       }
-      if (rule_ == InsideRule::signedThreshold)
+      if (isInside_.rule == InsideRule::signedThreshold)
       {
-        sides[n] = slab_->countSides(k, threshold_);
+        sides[n] = slab_->countSides(k, isInside_);
       }
     },
     executor);

@@ -51,8 +51,8 @@ public:
 
   /// withBorder adds a border of samples around the grid, all of them outside. Keeps references to
   /// field and grid.
-  LevelEdges(const Field& field, const Grid& grid, InsideRule rule, double threshold,
-    bool withBorder, double slabBytes = usualSlabBytes);
+  LevelEdges(const Field& field, const Grid& grid, const InsideTest& isInside, bool withBorder,
+    double slabBytes = usualSlabBytes);
 
   /// Finds the runs of row (j, k) of a grid, without its border: they cover it, with value 1 inside
   /// and 0 outside.
@@ -177,8 +177,7 @@ private:
 
   const Field* field_; ///< null unless the edges are a field's
   const Grid& grid_;
-  InsideRule rule_ = InsideRule::signedThreshold;
-  double threshold_ = 0;
+  InsideTest isInside_;
   int border_; ///< layers of samples around the grid: 1 or 0
   int layersPerSlab_ = 0;
   const RowCrossings* rows_ = nullptr; ///< null unless whole rows are integers

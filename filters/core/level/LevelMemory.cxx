@@ -43,8 +43,8 @@ double levelEdgesByArea(const Field& field, const Grid& grid)
   return std::min(all, field.area() * perArea);
 }
 
-double levelEdgesByCoarseGrid(const Field& field, const Grid& grid, InsideRule rule,
-  double threshold, bool withBorder, Executor& executor)
+double levelEdgesByCoarseGrid(const Field& field, const Grid& grid, const InsideTest& isInside,
+  bool withBorder, Executor& executor)
 {
   constexpr int mostSamples = 64;
   Grid coarse = grid;
@@ -56,7 +56,7 @@ double levelEdgesByCoarseGrid(const Field& field, const Grid& grid, InsideRule r
     coarse.dimensions[axis] = (grid.dimensions[axis] - 1) / factor + 1;
     coarse.spacing[axis] = factor * grid.spacing[axis];
   }
-  LevelEdges edges(field, coarse, rule, threshold, withBorder);
+  LevelEdges edges(field, coarse, isInside, withBorder);
   while (!edges.isDone())
   {
     edges.advance(executor);

@@ -19,8 +19,8 @@ double levelEdgesByArea(const Field& field, const Grid& grid);
  * 64 samples along each axis, times those that it stands for. It is too small where the surface has
  * details that the coarse grid does not see. Throws Interrupted.
  */
-double levelEdgesByCoarseGrid(const Field& field, const Grid& grid, InsideRule rule,
-  double threshold, bool withBorder, Executor& executor);
+double levelEdgesByCoarseGrid(const Field& field, const Grid& grid, const InsideTest& isInside,
+  bool withBorder, Executor& executor);
 
 /// Returns the memory that the level surface of a field takes in addition if it crosses `edges`
 /// edges of the grid: of everything that grows with them, the surface with its normals included.

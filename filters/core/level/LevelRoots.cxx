@@ -43,12 +43,11 @@ double nextByItp(double low, double high, double lowLevel, double highLevel, int
 } // namespace
 
 LevelRoots::LevelRoots(const Field& field, const Grid& grid, const LevelEdges& edges,
-  InsideRule rule, double threshold, double tolerance, Executor& executor)
+  const InsideTest& isInside, double tolerance, Executor& executor)
   : field_(field)
   , grid_(grid)
   , edges_(edges)
-  , rule_(rule)
-  , threshold_(threshold)
+  , isInside_(isInside)
   , levelTolerance_(0.05 * std::max(tolerance, FarFieldAccuracy::finest))
   , jumpsOnly_(field.info().jumpsOnly())
   , isParity_(field.info().method == Method::parity)
@@ -81,8 +80,8 @@ LevelRoots::LevelRoots(const Field& field, const Grid& grid, const LevelEdges& e
         {
           continue;
         }
-        search.lowLevel = levelOf(search.lowWinding, rule_, threshold_);
-        search.highLevel = levelOf(search.highWinding, rule_, threshold_);
+        search.lowLevel = isInside_.levelOf(search.lowWinding);
+        search.highLevel = isInside_.levelOf(search.highWinding);
         found[block].push_back(search);
       }
     },
@@ -198,8 +197,8 @@ void LevelRoots::chooseNext(Search& search) const
 
 void LevelRoots::narrow(Search& search, double windingNumber) const
 {
-  const double level = levelOf(windingNumber, rule_, threshold_);
-  if (isInside(windingNumber, rule_, threshold_) == edges_[search.edge].firstIsInside)
+  const double level = isInside_.levelOf(windingNumber);
+  if (isInside_(windingNumber) == edges_[search.edge].firstIsInside)
   {
     search.low = search.next;
     search.lowWinding = windingNumber;

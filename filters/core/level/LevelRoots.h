@@ -39,8 +39,8 @@ class LevelRoots
 {
 public:
   /// Keeps references to field, grid and edges; `tolerance` is the field's. Throws Interrupted.
-  LevelRoots(const Field& field, const Grid& grid, const LevelEdges& edges, InsideRule rule,
-    double threshold, double tolerance, Executor& executor);
+  LevelRoots(const Field& field, const Grid& grid, const LevelEdges& edges,
+    const InsideTest& isInside, double tolerance, Executor& executor);
 
   /// Whether every root is found.
   bool isDone() const { return searches_.empty(); }
@@ -82,8 +82,7 @@ private:
   const Field& field_;
   const Grid& grid_;
   const LevelEdges& edges_;
-  InsideRule rule_;
-  double threshold_;
+  InsideTest isInside_;
   double levelTolerance_;
   bool jumpsOnly_; ///< whether the field changes at crossings of the surface only
   bool isParity_;  ///< whether the field is w modulo 2

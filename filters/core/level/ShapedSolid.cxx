@@ -88,7 +88,7 @@ void addSidesOf(const Surface& surface, const Triangle& ids, double voxel, doubl
 /// Returns whether every triangle has the inside on one side and the outside on the other, at
 /// points about two voxels apart.
 bool areAllBetweenSides(
-  const Field& field, const Grid& grid, InsideRule rule, double threshold, Executor& executor)
+  const Field& field, const Grid& grid, const InsideTest& isInside, Executor& executor)
 {
   const Surface& surface = *field.distinctSurface();
   const double voxel = grid.spacing.minCoeff(), distance = distanceOfPlaces(surface, voxel);
@@ -109,8 +109,7 @@ bool areAllBetweenSides(
     }
     FieldOutput output;
     output.inside = inside.data();
-    output.rule = rule;
-    output.threshold = threshold;
+    output.isInside = isInside;
     field.evaluate(VectorsView(places.data(), inside.size()), output, executor);
     for (std::size_t place = 0; place < inside.size(); place += 2)
     {
@@ -250,16 +249,16 @@ bool haveSameCavities(const FilledOnGrid& given, const FilledOnGrid& other, Exec
 
 /// Makes the surface of the solid of a field on a grid, by all that it takes; none where its
 /// cavities are others than those on the `given` grid.
-std::optional<Surface> surfaceOn(const Grid& grid, const Field& field, InsideRule rule,
-  double threshold, double tolerance, const SolidShape& shape, bool isSharp,
-  const FilledOnGrid& given, Executor& executor)
+std::optional<Surface> surfaceOn(const Grid& grid, const Field& field, const InsideTest& isInside,
+  double tolerance, const SolidShape& shape, bool isSharp, const FilledOnGrid& given,
+  Executor& executor)
 {
-  LevelEdges edges(field, grid, rule, threshold, true);
+  LevelEdges edges(field, grid, isInside, true);
   while (!edges.isDone())
   {
     edges.advance(executor);
   }
-  LevelRoots search(field, grid, edges, rule, threshold, tolerance, executor);
+  LevelRoots search(field, grid, edges, isInside, tolerance, executor);
   while (!search.isDone())
   {
     search.advance(executor);
@@ -300,7 +299,7 @@ bool isSheet(const FieldInfo& info, const SolidShape& shape)
          !shape.fillsCavities && info.isSurface && !info.jumpsOnly();
 }
 
-ShapedSolid::ShapedSolid(const Field& field, const Grid& grid, InsideRule rule, double threshold,
+ShapedSolid::ShapedSolid(const Field& field, const Grid& grid, const InsideTest& isInside,
   double tolerance, const LevelEdges& solid, const EdgeRoots& roots, const SolidShape& shape,
   bool isSharp, Executor& executor)
   : edges_(&solid)
@@ -314,12 +313,12 @@ ShapedSolid::ShapedSolid(const Field& field, const Grid& grid, InsideRule rule, 
   }
   if (shape.hasDistances())
   {
-    this->move(field, grid, rule, threshold, tolerance, solid, shape, isSharp, executor);
+    this->move(field, grid, isInside, tolerance, solid, shape, isSharp, executor);
   }
 }
 
 /// Moves the surface of the solid to the limits of its band.
-void ShapedSolid::move(const Field& field, const Grid& grid, InsideRule rule, double threshold,
+void ShapedSolid::move(const Field& field, const Grid& grid, const InsideTest& isInside,
   double tolerance, const LevelEdges& solid, const SolidShape& shape, bool isSharp,
   Executor& executor)
 {
@@ -327,9 +326,8 @@ void ShapedSolid::move(const Field& field, const Grid& grid, InsideRule rule, do
   const auto [begin, end] = executor.share();
   const bool isSheet = winding::isSheet(field.info(), shape);
   executor.setShare(begin, begin);
-  const bool isFromSource =
-    isSheet || (field.info().jumpsOnly() && this->cavities() == 0 &&
-                 areAllBetweenSides(field, grid, rule, threshold, executor));
+  const bool isFromSource = isSheet || (field.info().jumpsOnly() && this->cavities() == 0 &&
+                                         areAllBetweenSides(field, grid, isInside, executor));
   base_ = isFromSource ? DistanceBase::source : DistanceBase::surface;
   if (!isFromSource)
   {
@@ -338,8 +336,8 @@ void ShapedSolid::move(const Field& field, const Grid& grid, InsideRule rule, do
     std::optional<Surface> surface;
     if (finer)
     {
-      surface = surfaceOn(*finer, field, rule, threshold, tolerance, shape, isSharp,
-        {grid, solid, *edges_}, executor);
+      surface = surfaceOn(
+        *finer, field, isInside, tolerance, shape, isSharp, {grid, solid, *edges_}, executor);
     }
     surfaceTree_ = std::make_shared<const DistanceTree>(
       surface ? std::move(*surface) : surfaceOf(grid, *edges_, *roots_, isSharp, executor),

@@ -46,9 +46,9 @@ public:
   /// Makes the shape of the solid of a field that has this `tolerance`. `solid` and `roots` are its
   /// edges, which are done, and their roots; with `isSharp` they have normals of all triangles.
   /// Keeps references to `grid`, `solid` and `roots`. Throws Interrupted.
-  ShapedSolid(const Field& field, const Grid& grid, InsideRule rule, double threshold,
-    double tolerance, const LevelEdges& solid, const EdgeRoots& roots, const SolidShape& shape,
-    bool isSharp, Executor& executor);
+  ShapedSolid(const Field& field, const Grid& grid, const InsideTest& isInside, double tolerance,
+    const LevelEdges& solid, const EdgeRoots& roots, const SolidShape& shape, bool isSharp,
+    Executor& executor);
 
   /// Returns the memory of the shape of a solid whose surface crosses `edges` edges, in addition to
   /// that surface, in bytes.
@@ -66,9 +66,8 @@ public:
   const std::shared_ptr<const DistanceTree>& surfaceTree() const { return surfaceTree_; }
 
 private:
-  void move(const Field& field, const Grid& grid, InsideRule rule, double threshold,
-    double tolerance, const LevelEdges& solid, const SolidShape& shape, bool isSharp,
-    Executor& executor);
+  void move(const Field& field, const Grid& grid, const InsideTest& isInside, double tolerance,
+    const LevelEdges& solid, const SolidShape& shape, bool isSharp, Executor& executor);
 
   std::unique_ptr<const FilledCavities> filled_;
   std::unique_ptr<const LevelEdges> movedEdges_;

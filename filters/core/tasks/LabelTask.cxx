@@ -33,7 +33,7 @@ LabelTask::LabelTask(const Grid& grid, const LabelArrays& arrays, const LabelOpt
   : grid_(grid)
   , arrays_(arrays)
   , options_(options)
-  , isInside_{options.voxels.output.rule, options.voxels.output.threshold}
+  , isInside_(options.voxels.output.isInside)
   , facts_(facts)
   , merge_(
       arrays, options.overlapRule, isInside_.rule == InsideRule::absoluteThreshold, run.executor)
@@ -70,7 +70,7 @@ void LabelTask::inspectResult(
   {
     shown_.push_back(solid);
   }
-  if (diagnosis.facing(sides, isInside_.rule, isInside_.threshold, run.executor).looksInward)
+  if (diagnosis.facing(sides, isInside_, run.executor).looksInward)
   {
     (hasVoxels ? facts_.partlyInsideOut : facts_.insideOut).add(solid.name);
   }
@@ -80,8 +80,7 @@ void LabelTask::inspectResult(
     {
       return arrays_.labels[sampleNumber(arrays_.extent, i, j, k)] != 0;
     };
-    const auto parts =
-      diagnosis.thinParts(grid_, hasLabel, isInside_.rule, isInside_.threshold, run.executor);
+    const auto parts = diagnosis.thinParts(grid_, hasLabel, isInside_, run.executor);
     if (parts && parts->areWorthTelling())
     {
       facts_.lostInPart.add(solid.name);
@@ -153,7 +152,7 @@ void LabelTask::warnOfLabels(Run& run) const
   {
     std::vector<Remedy> remedies = {smallerVoxels(),
       {"label what they touch", {{Parameter::coverage, static_cast<int>(Coverage::any)}}}};
-    if (isInside_.rule != InsideRule::odd && isInside_.threshold > 0.5)
+    if (isInside_.hasHighThreshold())
     {
       remedies.insert(remedies.begin(), lowerThreshold());
     }

@@ -22,8 +22,7 @@ Facing warnOfSides(
   {
     return {};
   }
-  const Facing facing =
-    field.diagnosis().facing(sides, isInside.rule, isInside.threshold, run.executor);
+  const Facing facing = field.diagnosis().facing(sides, isInside, run.executor);
   if (facing.warning)
   {
     run.warn(*facing.warning);
@@ -44,11 +43,10 @@ Facing warnOfResult(const Field& field, const Grid& grid, const ResultOnGrid& re
   found.isEmpty = result.isEmpty && !facing.isInsideOut;
   found.mayTouch = result.mayTouchVoxels;
   found.isSheet = field.info().openings.areOfSheet();
-  found.hasHighThreshold = isInside.rule != InsideRule::odd && isInside.threshold > 0.5;
+  found.hasHighThreshold = isInside.hasHighThreshold();
   if (!facing.looksInward && !result.takesTouchedVoxels)
   {
-    found.parts = field.diagnosis().thinParts(
-      grid, result.isInside, isInside.rule, isInside.threshold, run.executor);
+    found.parts = field.diagnosis().thinParts(grid, result.isInside, isInside, run.executor);
   }
   if (const auto advice = gridAdvice(grid, field.info().bounds, found))
   {

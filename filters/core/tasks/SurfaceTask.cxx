@@ -104,8 +104,7 @@ std::unique_ptr<LevelEdges> findEdges(
 {
   const auto [first, last] = run.executor.share();
   const double length = progressOfEdges * (last - first);
-  auto edges = std::make_unique<LevelEdges>(
-    field, grid, options.isInside.rule, options.isInside.threshold, options.closesBorder);
+  auto edges = std::make_unique<LevelEdges>(field, grid, options.isInside, options.closesBorder);
   while (!edges->isDone())
   {
     run.executor.setShare(
@@ -124,8 +123,7 @@ std::unique_ptr<LevelEdges> findEdges(
 EdgeRoots findRoots(const Field& field, const Grid& grid, const LevelEdges& edges,
   const SurfaceOptions& options, Run& run)
 {
-  LevelRoots roots(field, grid, edges, options.isInside.rule, options.isInside.threshold,
-    field.info().tolerance, run.executor);
+  LevelRoots roots(field, grid, edges, options.isInside, field.info().tolerance, run.executor);
   const auto [first, last] = run.executor.share();
   for (double progress = first; !roots.isDone();)
   {
@@ -187,9 +185,8 @@ SurfaceNeeds claimSurface(
   {
     const auto [first, last] = run.executor.share();
     run.executor.setShare(first, first);
-    setEdges(
-      std::min(needs.edges, levelEdgesByCoarseGrid(field, grid, options.isInside.rule,
-                              options.isInside.threshold, options.closesBorder, run.executor)));
+    setEdges(std::min(needs.edges,
+      levelEdgesByCoarseGrid(field, grid, options.isInside, options.closesBorder, run.executor)));
     run.executor.setShare(first, last);
   }
   refuseUnlessFree(needs.bytes, run.freeMemory, "the surface", {largerVoxels()});
@@ -226,9 +223,8 @@ SurfaceResult makeSurface(
     writeSurface(grid, *edges, foundRoots, nullptr, options, sink, run);
     return result;
   }
-  const ShapedSolid shaped(field, grid, options.isInside.rule, options.isInside.threshold,
-    field.info().tolerance, *edges, foundRoots(), shape, options.features == Features::sharp,
-    run.executor);
+  const ShapedSolid shaped(field, grid, options.isInside, field.info().tolerance, *edges,
+    foundRoots(), shape, options.features == Features::sharp, run.executor);
   result.cavities = shaped.cavities();
   result.distancesFrom = shaped.base();
   result.surfaceTree = shaped.surfaceTree();

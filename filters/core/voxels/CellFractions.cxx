@@ -72,12 +72,11 @@ bool isWithoutFraction(CellState state)
 class Evaluation
 {
 public:
-  Evaluation(const Field& field, const CellShapes& cells, InsideRule rule, double threshold,
-    Executor& executor)
+  Evaluation(
+    const Field& field, const CellShapes& cells, const InsideTest& isInside, Executor& executor)
     : field_(field)
     , cells_(cells)
-    , rule_(rule)
-    , threshold_(threshold)
+    , isInside_(isInside)
     , executor_(executor)
     , surface_(field.distinctSurface())
   {
@@ -112,9 +111,9 @@ public:
       counts.flat += state == CellState::flat;
       counts.open += state == CellState::open;
       counts.nowhere += state == CellState::nowhere;
-      fractions[i] = isWithoutFraction(state) ? std::numeric_limits<float>::quiet_NaN()
-                     : isInside(windings_[i], rule_, threshold_) ? 1.0F
-                                                                 : 0.0F;
+      fractions[i] = isWithoutFraction(state)  ? std::numeric_limits<float>::quiet_NaN()
+                     : isInside_(windings_[i]) ? 1.0F
+                                               : 0.0F;
       if (this->isDivided(i))
       {
         divided.push_back(i);
@@ -159,7 +158,7 @@ private:
   struct Work
   {
     explicit Work(const Evaluation& of)
-      : share(of.rule_, of.threshold_, of.field_.info().method == Method::parity)
+      : share(of.isInside_, of.field_.info().method == Method::parity)
     {
     }
     CellShape shape;
@@ -321,7 +320,7 @@ private:
   {
     for (const int step : {0, 1, -1, 2, -2})
     {
-      const double level = levelOf(winding + step, rule_, threshold_);
+      const double level = isInside_.levelOf(winding + step);
       if (!(std::abs(level) > nearLimit))
       {
         return true;
@@ -493,7 +492,7 @@ private:
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t i = 0; i < 5; ++i)
     {
-      const double level = levelOf(windings[i], rule_, threshold_);
+      const double level = isInside_.levelOf(windings[i]);
       low = std::min(low, level);
       high = std::max(high, level);
     }
@@ -506,15 +505,14 @@ private:
     std::array<double, 4> levels;
     for (std::size_t i = 0; i < 4; ++i)
     {
-      levels[i] = levelOf(windings[i + 1], rule_, threshold_);
+      levels[i] = isInside_.levelOf(windings[i + 1]);
     }
     return positivePart(levels);
   }
 
   const Field& field_;
   const CellShapes& cells_;
-  const InsideRule rule_;
-  const double threshold_;
+  const InsideTest isInside_;
   Executor& executor_;
   const Surface* const surface_;
   std::unique_ptr<const BoxTree> tree_, rimTree_;
@@ -526,10 +524,10 @@ private:
 
 } // namespace
 
-CellsWithoutFraction evaluateFractions(const Field& field, const CellShapes& cells, InsideRule rule,
-  double threshold, float* fractions, Executor& executor)
+CellsWithoutFraction evaluateFractions(const Field& field, const CellShapes& cells,
+  const InsideTest& isInside, float* fractions, Executor& executor)
 {
-  return Evaluation(field, cells, rule, threshold, executor).run(fractions);
+  return Evaluation(field, cells, isInside, executor).run(fractions);
 }
 
 std::vector<Message> warningsOf(const CellsWithoutFraction& counts, std::size_t cells)

@@ -55,8 +55,8 @@ struct CellsWithoutFraction
  * Takes time in proportion to the cells, and to the triangles in each times the triangles of its
  * faces. Progress goes through the executor's share. Throws Interrupted.
  */
-CellsWithoutFraction evaluateFractions(const Field& field, const CellShapes& cells, InsideRule rule,
-  double threshold, float* fractions, Executor& executor);
+CellsWithoutFraction evaluateFractions(const Field& field, const CellShapes& cells,
+  const InsideTest& isInside, float* fractions, Executor& executor);
 
 /// Returns warnings where the fraction of some of `cells` cells is no share of a volume.
 std::vector<Message> warningsOf(const CellsWithoutFraction& counts, std::size_t cells);

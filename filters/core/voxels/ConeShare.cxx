@@ -445,7 +445,7 @@ double ConeShare::change(std::size_t number, double winding)
 
 bool ConeShare::isInsideAt(double winding) const
 {
-  return isInside(isParity_ ? std::abs(std::fmod(winding, 2.0)) : winding, rule_, threshold_);
+  return isInside_(isParity_ ? std::abs(std::fmod(winding, 2.0)) : winding);
 }
 
 /// Returns the part of the cone beyond a piece, if what is inside changes there.

@@ -52,9 +52,8 @@ class ConeShare
 {
 public:
   /// `isParity` says that w is the parity of crossings, as RayParity.h has it, not their sum.
-  ConeShare(InsideRule rule, double threshold, bool isParity = false)
-    : rule_(rule)
-    , threshold_(threshold)
+  ConeShare(const InsideTest& isInside, bool isParity = false)
+    : isInside_(isInside)
     , isParity_(isParity)
   {
   }
@@ -122,8 +121,7 @@ private:
     return left_ > 0;
   }
 
-  InsideRule rule_;
-  double threshold_;
+  InsideTest isInside_;
   bool isParity_;
   std::vector<Polygon> polygons_;
   std::vector<Edge> lostEdges_; ///< of the triangles that are left out, sorted

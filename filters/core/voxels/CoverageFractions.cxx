@@ -90,12 +90,11 @@ void setBits(
 } // namespace
 
 CoverageFractions::CoverageFractions(const Field& field, const Grid& grid, const Extent& extent,
-  int samplesPerAxis, InsideRule rule, double threshold, float* fractions, std::uint64_t* united)
+  int samplesPerAxis, const InsideTest& isInside, float* fractions, std::uint64_t* united)
   : field_(field)
   , extent_(extent)
   , perAxis_(samplesPerAxis)
-  , rule_(rule)
-  , threshold_(threshold)
+  , isInside_(isInside)
   , fractions_(fractions)
   , united_(united, samplesPerAxis)
 {
@@ -226,7 +225,7 @@ void CoverageFractions::addUpRows(const RowCrossings& rows, Executor& executor) 
         const std::size_t first = sampleNumber(extent_, extent_[0], firstRow + row, k);
         for (const RowRun& run : runs)
         {
-          if (isInside(run.value, rule_, threshold_))
+          if (isInside_(run.value))
           {
             const int begin = run.begin - samples[0], end = run.end - samples[0];
             if (united_)
@@ -259,8 +258,7 @@ void CoverageFractions::addUpSamples(const Extent& voxels, Executor& executor) c
   std::vector<unsigned char> inside(sampleCount(samples));
   FieldOutput output;
   output.inside = inside.data();
-  output.rule = rule_;
-  output.threshold = threshold_;
+  output.isInside = isInside_;
   field_.evaluate(samples_, samples, output, executor);
   const auto width = static_cast<std::size_t>(samples[1] - samples[0] + 1);
   runBlocks(

@@ -44,7 +44,7 @@ public:
   /// extent, and `united` has the bits of its samples, unless it is null. References and pointers
   /// are kept. Throws Refusal for a grid too fine for its samples to be numbered.
   CoverageFractions(const Field& field, const Grid& grid, const Extent& extent, int samplesPerAxis,
-    InsideRule rule, double threshold, float* fractions, std::uint64_t* united = nullptr);
+    const InsideTest& isInside, float* fractions, std::uint64_t* united = nullptr);
 
   /// The number of parts, which take about the same time each.
   int parts() const { return partsAlongY_ * partsAlongZ_; }
@@ -64,8 +64,7 @@ private:
   Grid samples_;
   Extent extent_;
   int perAxis_;
-  InsideRule rule_;
-  double threshold_;
+  InsideTest isInside_;
   float* fractions_;
   SampleBits united_;
   int partsAlongY_ = 1, partsAlongZ_ = 1;

@@ -46,7 +46,7 @@ Extent SolidEvaluation::extentOf(const Field& field, const Grid& grid, const Ext
 {
   const FieldOutput& output = options_.voxels.output;
   const Bounds& bounds = field.info().bounds;
-  if (isInside(0, output.rule, output.threshold))
+  if (output.isInside(0))
   {
     return extent;
   }

@@ -45,7 +45,7 @@ void VoxelEvaluation::run(
   if (coverage == Coverage::any)
   {
     progress.set(end, 1);
-    addOverlap(field, grid, extent, output.rule, output.threshold, output.inside, executor);
+    addOverlap(field, grid, extent, output.isInside, output.inside, executor);
   }
   if (coverage == Coverage::fraction)
   {
@@ -59,7 +59,7 @@ void VoxelEvaluation::evaluateFractions(
 {
   Progress progress(executor);
   const CoverageFractions sampling(
-    field, grid, extent, samplesPerAxis, output.rule, output.threshold, fractions, united);
+    field, grid, extent, samplesPerAxis, output.isInside, fractions, united);
   const double parts = sampling.parts();
   for (int part = 0; part < sampling.parts(); ++part)
   {

@@ -19,8 +19,8 @@ bool changesAtTrianglesOnly(const FieldInfo& info)
 
 /// Adds the voxels that have a corner inside. Neighbours share corners, so the corners are a grid
 /// of their own.
-void addCorners(const Field& field, const Grid& grid, const Extent& extent, InsideRule rule,
-  double threshold, unsigned char* inside, Executor& executor)
+void addCorners(const Field& field, const Grid& grid, const Extent& extent,
+  const InsideTest& isInside, unsigned char* inside, Executor& executor)
 {
   const Grid cornerGrid = {grid.corner(), grid.spacing, grid.dimensions + Eigen::Vector3i::Ones()};
   const Extent cornerExtent = {
@@ -28,8 +28,7 @@ void addCorners(const Field& field, const Grid& grid, const Extent& extent, Insi
   std::vector<unsigned char> corners(sampleCount(cornerExtent));
   FieldOutput output;
   output.inside = corners.data();
-  output.rule = rule;
-  output.threshold = threshold;
+  output.isInside = isInside;
   field.evaluate(cornerGrid, cornerExtent, output, executor);
   const auto width = static_cast<std::size_t>(extent[1] - extent[0] + 1);
   runBlocks(
@@ -57,8 +56,8 @@ void addCorners(const Field& field, const Grid& grid, const Extent& extent, Insi
 
 } // namespace
 
-void addOverlap(const Field& field, const Grid& grid, const Extent& extent, InsideRule rule,
-  double threshold, unsigned char* inside, Executor& executor)
+void addOverlap(const Field& field, const Grid& grid, const Extent& extent,
+  const InsideTest& isInside, unsigned char* inside, Executor& executor)
 {
   if (sampleCount(extent) == 0)
   {
@@ -66,7 +65,7 @@ void addOverlap(const Field& field, const Grid& grid, const Extent& extent, Insi
   }
   if (!changesAtTrianglesOnly(field.info()))
   {
-    addCorners(field, grid, extent, rule, threshold, inside, executor);
+    addCorners(field, grid, extent, isInside, inside, executor);
   }
   if (const Surface* surface = field.distinctSurface())
   {

@@ -23,8 +23,8 @@ namespace winding
  * executor and number of threads. Memory: as markTouched() takes, and a byte per sample where
  * corners are asked. Throws Interrupted.
  */
-void addOverlap(const Field& field, const Grid& grid, const Extent& extent, InsideRule rule,
-  double threshold, unsigned char* inside, Executor& executor);
+void addOverlap(const Field& field, const Grid& grid, const Extent& extent,
+  const InsideTest& isInside, unsigned char* inside, Executor& executor);
 
 /// Returns the memory of addOverlap() for `samples` samples, in addition to their field.
 std::size_t bytesOfOverlap(const Field& field, std::size_t samples);

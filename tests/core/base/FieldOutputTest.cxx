@@ -84,12 +84,10 @@ TEST(FieldOutput, FillsAsItWrites)
         {
           Arrays filled(9), written(9);
           FieldOutput output = filled.output(mask);
-          output.rule = rule;
-          output.threshold = threshold;
+          output.isInside = {rule, threshold};
           output.fill(value, 2, 5);
           output = written.output(mask);
-          output.rule = rule;
-          output.threshold = threshold;
+          output.isInside = {rule, threshold};
           output.write(std::vector<double>(5, value).data(), 2, 5);
           ASSERT_TRUE(filled == written) << value << ' ' << mask;
         }

@@ -11,7 +11,7 @@ namespace
 {
 
 using winding::InsideRule;
-using winding::isInside;
+using winding::InsideTest;
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
@@ -19,38 +19,38 @@ constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 TEST(InsideRule, SignedThresholdTakesTheThresholdItselfIn)
 {
-  const auto rule = InsideRule::signedThreshold;
-  EXPECT_TRUE(isInside(0.5, rule, 0.5));
-  EXPECT_FALSE(isInside(std::nextafter(0.5, 0.0), rule, 0.5));
-  EXPECT_TRUE(isInside(2, rule, 0.5));
-  EXPECT_FALSE(isInside(-1, rule, 0.5));
-  EXPECT_TRUE(isInside(-0.25, rule, -0.5));
+  const InsideTest isInside;
+  EXPECT_TRUE(isInside(0.5));
+  EXPECT_FALSE(isInside(std::nextafter(0.5, 0.0)));
+  EXPECT_TRUE(isInside(2));
+  EXPECT_FALSE(isInside(-1));
+  EXPECT_TRUE((InsideTest{InsideRule::signedThreshold, -0.5}(-0.25)));
 }
 
 TEST(InsideRule, AbsoluteThresholdTakesInvertedSolidsToo)
 {
-  const auto rule = InsideRule::absoluteThreshold;
-  EXPECT_TRUE(isInside(1, rule, 0.5));
-  EXPECT_TRUE(isInside(-1, rule, 0.5));
-  EXPECT_TRUE(isInside(-0.5, rule, 0.5));
-  EXPECT_FALSE(isInside(-0.25, rule, 0.5));
+  const InsideTest isInside = {InsideRule::absoluteThreshold};
+  EXPECT_TRUE(isInside(1));
+  EXPECT_TRUE(isInside(-1));
+  EXPECT_TRUE(isInside(-0.5));
+  EXPECT_FALSE(isInside(-0.25));
 }
 
 TEST(InsideRule, OddLooksAtTheNearestIntegerAlone)
 {
-  const auto rule = InsideRule::odd;
   for (const double threshold : {-10.0, 0.5, 10.0})
   {
-    EXPECT_FALSE(isInside(0, rule, threshold));
-    EXPECT_TRUE(isInside(1, rule, threshold));
-    EXPECT_TRUE(isInside(-1, rule, threshold));
-    EXPECT_FALSE(isInside(2, rule, threshold));
-    EXPECT_FALSE(isInside(-2, rule, threshold));
-    EXPECT_TRUE(isInside(3, rule, threshold));
-    EXPECT_TRUE(isInside(0.75, rule, threshold));
-    EXPECT_TRUE(isInside(1.25, rule, threshold));
-    EXPECT_FALSE(isInside(0.25, rule, threshold));
-    EXPECT_FALSE(isInside(-1.75, rule, threshold));
+    const InsideTest isInside = {InsideRule::odd, threshold};
+    EXPECT_FALSE(isInside(0));
+    EXPECT_TRUE(isInside(1));
+    EXPECT_TRUE(isInside(-1));
+    EXPECT_FALSE(isInside(2));
+    EXPECT_FALSE(isInside(-2));
+    EXPECT_TRUE(isInside(3));
+    EXPECT_TRUE(isInside(0.75));
+    EXPECT_TRUE(isInside(1.25));
+    EXPECT_FALSE(isInside(0.25));
+    EXPECT_FALSE(isInside(-1.75));
   }
 }
 
@@ -59,6 +59,13 @@ TEST(InsideRule, NothingIsInsideWhereTheValueIsNoNumber)
   for (const auto rule :
     {InsideRule::signedThreshold, InsideRule::absoluteThreshold, InsideRule::odd})
   {
-    EXPECT_FALSE(isInside(notANumber, rule, 0.5));
+    EXPECT_FALSE(InsideTest{rule}(notANumber));
   }
+}
+
+TEST(InsideTest, HasAHighThresholdAboveAHalf)
+{
+  EXPECT_FALSE(InsideTest().hasHighThreshold());
+  EXPECT_TRUE((InsideTest{InsideRule::absoluteThreshold, 0.6}.hasHighThreshold()));
+  EXPECT_FALSE((InsideTest{InsideRule::odd, 0.6}.hasHighThreshold()));
 }

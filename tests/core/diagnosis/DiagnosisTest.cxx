@@ -178,10 +178,7 @@ TEST(Diagnosis, FindsPartsThatLookInward)
     sides.samples = 10000;
     sides.inside = 4000;
     sides.negative = negative;
-    return fieldOf(mesh)
-      ->diagnosis()
-      .facing(sides, winding::InsideRule::signedThreshold, 0.5, serial)
-      .looksInward;
+    return fieldOf(mesh)->diagnosis().facing(sides, winding::InsideTest(), serial).looksInward;
   };
   EXPECT_TRUE(looksInward(large.with(small.reversed()), 1)) << "small parts are meant";
   EXPECT_FALSE(looksInward(large.with(small), 1)) << "pockets are not";

@@ -27,7 +27,7 @@ Grid gridOver(const Point& low, const Point& high)
 
 winding::Facing facingOf(const Field& field, const winding::SideCounts& sides)
 {
-  return field.diagnosis().facing(sides, winding::InsideRule::signedThreshold, 0.5, serial);
+  return field.diagnosis().facing(sides, winding::InsideTest(), serial);
 }
 
 /// Whether the source of a field looks inward by these sides.
@@ -42,7 +42,7 @@ winding::SideCounts sidesOf(const Field& field, const Grid& grid, double thresho
 {
   winding::SideTally sides;
   winding::FieldOutput output;
-  output.threshold = threshold;
+  output.isInside.threshold = threshold;
   output.sides = &sides;
   field.evaluate(grid, grid.wholeExtent(), output, serial);
   return sides.counts(winding::sampleCount(grid.wholeExtent()));
@@ -53,7 +53,7 @@ winding::SideCounts sidesOf(
 {
   winding::SideTally sides;
   winding::FieldOutput output;
-  output.threshold = threshold;
+  output.isInside.threshold = threshold;
   output.sides = &sides;
   field.evaluate(samples, output, serial);
   return sides.counts(samples.size());
@@ -64,7 +64,7 @@ winding::SideCounts sidesOf(
 winding::SideCounts farBelow()
 {
   winding::SideCounts sides;
-  sides.add(-100, 0.5);
+  sides.add(-100, winding::InsideTest());
   return sides;
 }
 

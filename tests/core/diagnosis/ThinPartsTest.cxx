@@ -21,7 +21,6 @@ namespace
 using namespace shapes;
 using winding::Extent;
 using winding::Grid;
-using winding::InsideRule;
 using winding::ThinParts;
 
 Grid gridAround(const Mesh& mesh, int resolution)
@@ -36,11 +35,11 @@ std::optional<ThinParts> thinPartsOn(const Mesh& mesh, const Grid& grid, double 
   std::vector<unsigned char> inside(winding::sampleCount(extent));
   winding::FieldOutput output;
   output.inside = inside.data();
-  output.threshold = threshold;
+  output.isInside.threshold = threshold;
   field->evaluate(grid, extent, output, serial);
   return field->diagnosis().thinParts(
     grid, [&](int i, int j, int k) { return inside[winding::sampleNumber(extent, i, j, k)] != 0; },
-    InsideRule::signedThreshold, threshold, serial);
+    output.isInside, serial);
 }
 
 /// A hollow ball of radius 1.
@@ -151,6 +150,6 @@ TEST(ThinParts, WantASurface)
   {
     return false;
   };
-  EXPECT_FALSE(cloud->diagnosis().thinParts(
-    gridAround(cube(), 8), nothing, InsideRule::signedThreshold, 0.5, serial));
+  EXPECT_FALSE(
+    cloud->diagnosis().thinParts(gridAround(cube(), 8), nothing, winding::InsideTest(), serial));
 }

@@ -455,8 +455,7 @@ TEST(Distance, SignFollowsTheRuleWhateverElseIsWritten)
       FieldOutput withValues, withInside, withNothing;
       for (FieldOutput* output : {&withValues, &withInside, &withNothing})
       {
-        output->rule = rule;
-        output->threshold = threshold;
+        output->isInside = {rule, threshold};
       }
       withValues.values = values.data();
       withValues.distances = ofValues.data();

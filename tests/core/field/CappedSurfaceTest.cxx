@@ -424,11 +424,11 @@ TEST(CappedSurface, ClassifiesWithoutTheValuesAsWithThem)
       capped.evaluate(grid, grid.wholeExtent(), output, serial);
       output.values = nullptr;
       output.inside = only.data();
-      output.rule = rule;
+      output.isInside.rule = rule;
       capped.evaluate(grid, grid.wholeExtent(), output, serial);
       for (std::size_t n = 0; n < count; ++n)
       {
-        ASSERT_EQ(only[n], winding::isInside(values[n], rule, output.threshold));
+        ASSERT_EQ(only[n], output.isInside(values[n]));
       }
     }
   }

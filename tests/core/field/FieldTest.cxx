@@ -16,7 +16,6 @@
 
 #include <gtest/gtest.h>
 
-
 namespace
 {
 
@@ -151,7 +150,7 @@ TEST(Field, DecidesInsideOnTheStoredValue)
   output.inside = inside.data();
   field->evaluate(view, output, serial);
   ASSERT_NE(floats[0], exact[0]);
-  output.threshold = 0.5 * (floats[0] + exact[0]);
+  output.isInside.threshold = 0.5 * (floats[0] + exact[0]);
   const bool floatIsInside = floats[0] > exact[0];
   field->evaluate(view, output, serial);
   EXPECT_EQ(inside, std::vector<unsigned char>(1000, floatIsInside));
@@ -173,7 +172,7 @@ TEST(Field, AppliesTheInsideRule)
   EXPECT_EQ(inside, (std::vector<unsigned char>{0, 0}));
   for (const auto rule : {winding::InsideRule::absoluteThreshold, winding::InsideRule::odd})
   {
-    output.rule = rule;
+    output.isInside.rule = rule;
     field->evaluate(view, output, serial);
     EXPECT_EQ(inside, (std::vector<unsigned char>{1, 0}));
   }

@@ -19,6 +19,7 @@ using namespace shapes;
 using winding::Field;
 using winding::GridEdge;
 using winding::InsideRule;
+using winding::InsideTest;
 using winding::LevelEdges;
 
 struct Subject
@@ -50,7 +51,7 @@ std::vector<Subject> subjects()
 /// The samples of a whole grid; all samples around it are outside.
 struct Samples
 {
-  Samples(const Field& field, const winding::Grid& grid, InsideRule rule, double threshold)
+  Samples(const Field& field, const winding::Grid& grid, const InsideTest& isInside)
     : extent(grid.wholeExtent())
     , values(winding::sampleCount(extent))
     , inside(values.size())
@@ -58,8 +59,7 @@ struct Samples
     winding::FieldOutput output;
     output.values = values.data();
     output.inside = inside.data();
-    output.rule = rule;
-    output.threshold = threshold;
+    output.isInside = isInside;
     field.evaluate(grid, extent, output, serial);
   }
 
@@ -179,13 +179,13 @@ TEST_P(LevelEdgesOf, AreThoseBetweenAllSamplesInOneSlabOrMany)
     for (const InsideRule rule :
       {InsideRule::signedThreshold, InsideRule::absoluteThreshold, InsideRule::odd})
     {
-      const Samples samples(*subject.field, grid, rule, 0.5);
+      const Samples samples(*subject.field, grid, {rule});
       for (const int border : {0, 1})
       {
         for (const double slabBytes : {0.0, LevelEdges::usualSlabBytes})
         {
           SCOPED_TRACE(std::string(subject.name) + ", border " + std::to_string(border));
-          LevelEdges edges(*subject.field, grid, rule, 0.5, border > 0, slabBytes);
+          LevelEdges edges(*subject.field, grid, {rule}, border > 0, slabBytes);
           ShuffledThreads threads(3);
           advance(edges, threads);
           const std::size_t found =
@@ -217,7 +217,7 @@ TEST(LevelEdges, AreInterruptedWithoutAnAdvance)
     {
       continue;
     }
-    LevelEdges edges(*subject.field, grid, InsideRule::signedThreshold, 0.5, false);
+    LevelEdges edges(*subject.field, grid, InsideTest(), false);
     EXPECT_THROW(edges.advance(interruption), winding::Interrupted) << subject.name;
     EXPECT_FALSE(edges.isDone());
   }

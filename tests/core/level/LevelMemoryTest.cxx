@@ -31,13 +31,13 @@ struct Counts
 Counts countsOf(const Field& field, const Grid& grid)
 {
   constexpr double threshold = 0.5;
-  LevelEdges edges(field, grid, InsideRule::signedThreshold, threshold, false);
+  LevelEdges edges(field, grid, {InsideRule::signedThreshold, threshold}, false);
   while (!edges.isDone())
   {
     edges.advance(serial);
   }
   return {levelEdgesByArea(field, grid),
-    levelEdgesByCoarseGrid(field, grid, InsideRule::signedThreshold, threshold, false, serial),
+    levelEdgesByCoarseGrid(field, grid, {InsideRule::signedThreshold, threshold}, false, serial),
     static_cast<double>(edges.size())};
 }
 

@@ -19,18 +19,20 @@ namespace
 using namespace shapes;
 using winding::Field;
 using winding::InsideRule;
+using winding::InsideTest;
 
 /// The edges of a grid on which a field crosses its level, and the roots on them.
 struct Roots
 {
   Roots(const Field& field, const winding::Grid& grid, InsideRule rule, winding::Executor& executor)
-    : edges(field, grid, rule, 0.5, false)
+    : edges(field, grid, {rule}, false)
   {
     while (!edges.isDone())
     {
       edges.advance(executor);
     }
-    roots = std::make_unique<winding::LevelRoots>(field, grid, edges, rule, 0.5, 0.0, executor);
+    roots =
+      std::make_unique<winding::LevelRoots>(field, grid, edges, InsideTest{rule}, 0.0, executor);
     while (!roots->isDone())
     {
       roots->advance(executor);
@@ -92,7 +94,7 @@ TEST(LevelRoots, OfClosedLatticeChainsAreWhereTheFieldJumpsOverTheLevel)
             continue; // the sample is on another edge, or in a face
           }
           ++checked;
-          EXPECT_EQ(winding::isInside(w, rule, 0.5), edge.firstIsInside == (side < 0))
+          EXPECT_EQ(InsideTest{rule}(w), edge.firstIsInside == (side < 0))
             << "edge " << i << " along " << int(edge.axis) << ", root " << root << ", w " << w;
         }
       }
@@ -111,14 +113,13 @@ TEST(LevelRoots, NeedNoEvaluationWhereASingleCrossingExplainsTheChange)
     {winding::Method::automatic, winding::Method::direct, winding::Method::parity})
   {
     const auto field = fieldOf(mesh, method);
-    winding::LevelEdges edges(*field, grid, InsideRule::signedThreshold, 0.5, false);
+    winding::LevelEdges edges(*field, grid, InsideTest(), false);
     while (!edges.isDone())
     {
       edges.advance(serial);
     }
     EXPECT_GT(edges.size(), 300u);
-    const winding::LevelRoots roots(
-      *field, grid, edges, InsideRule::signedThreshold, 0.5, 0.0, serial);
+    const winding::LevelRoots roots(*field, grid, edges, InsideTest(), 0.0, serial);
     EXPECT_TRUE(roots.isDone()) << winding::nameOf(method);
   }
 }

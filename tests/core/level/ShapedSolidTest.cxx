@@ -38,8 +38,8 @@ const std::vector<SolidShape> shapesToTry = {shapeOf(0.3), shapeOf(-0.2), shapeO
 ShapedSolid shapedOf(const SolidOnGrid& solid, const winding::Grid& grid, const SolidShape& shape,
   winding::Executor& executor, bool isSharp = false)
 {
-  return ShapedSolid(*solid.field, grid, winding::InsideRule::signedThreshold, 0.5, 1e-3,
-    solid.edges, solid.roots, shape, isSharp, executor);
+  return ShapedSolid(*solid.field, grid, winding::InsideTest(), 1e-3, solid.edges, solid.roots,
+    shape, isSharp, executor);
 }
 
 template <class Visit> void forSamples(const winding::Grid& grid, int border, const Visit& visit)

@@ -35,6 +35,7 @@ namespace
 using namespace shapes;
 using winding::Field;
 using winding::InsideRule;
+using winding::InsideTest;
 
 constexpr int tetra = 10, voxel = 11, hexahedron = 12, wedge = 13, pyramid = 14;
 
@@ -124,12 +125,11 @@ CellList tetrahedraOf(const CellList& hexahedra)
 }
 
 std::vector<float> fractionsOf(const Field& field, const winding::CellShapes& cells,
-  InsideRule rule = InsideRule::signedThreshold, double threshold = 0.5,
-  winding::CellsWithoutFraction* counts = nullptr)
+  const InsideTest& isInside = {}, winding::CellsWithoutFraction* counts = nullptr)
 {
   std::vector<float> fractions(cells.size(), -1.0F);
   const winding::CellsWithoutFraction found =
-    winding::evaluateFractions(field, cells, rule, threshold, fractions.data(), serial);
+    winding::evaluateFractions(field, cells, isInside, fractions.data(), serial);
   if (counts)
   {
     *counts = found;
@@ -173,8 +173,8 @@ struct Box
 };
 
 /// The exact share of a box that is inside of others: volumes between all their planes.
-double exactShare(const Point& low, const Point& high, const std::vector<Box>& solids,
-  InsideRule rule, double threshold)
+double exactShare(
+  const Point& low, const Point& high, const std::vector<Box>& solids, const InsideTest& isInside)
 {
   std::array<std::vector<double>, 3> planes;
   for (int axis = 0; axis < 3; ++axis)
@@ -205,7 +205,7 @@ double exactShare(const Point& low, const Point& high, const std::vector<Box>& s
             (middle.array() > box.low.array()).all() && (middle.array() < box.high.array()).all();
           w += isIn ? box.sign : 0;
         }
-        inside += winding::isInside(w, rule, threshold) ? (b - a).prod() : 0;
+        inside += isInside(w) ? (b - a).prod() : 0;
       }
     }
   }
@@ -255,18 +255,16 @@ TEST(CellFractions, AreTheSharesOfBoxesThroughEachOther)
     const CellList cells = boxes(4, 1.0, still);
     const std::shared_ptr<const Field> field = fieldOf(mesh.mapped(turned));
     const CellList turnedCells = cells.mapped(turned);
-    for (const auto& [rule, threshold] : {std::pair(InsideRule::signedThreshold, 0.5),
-           {InsideRule::signedThreshold, 1.5}, {InsideRule::signedThreshold, -0.5},
-           {InsideRule::absoluteThreshold, 0.5}, {InsideRule::odd, 0.5}})
+    for (const InsideTest& isInside : {InsideTest(), {InsideRule::signedThreshold, 1.5},
+           {InsideRule::signedThreshold, -0.5}, {InsideRule::absoluteThreshold}, {InsideRule::odd}})
     {
-      const std::vector<float> fractions = fractionsOf(*field, turnedCells, rule, threshold);
+      const std::vector<float> fractions = fractionsOf(*field, turnedCells, isInside);
       for (std::size_t i = 0; i < cells.size(); ++i)
       {
-        const double exact =
-          exactShare(cells[i].points[0], cells[i].points[6], solids, rule, threshold);
+        const double exact = exactShare(cells[i].points[0], cells[i].points[6], solids, isInside);
         worst = std::max(worst, std::abs(exact - static_cast<double>(fractions[i])));
-        ASSERT_NEAR(fractions[i], exact, 1e-6)
-          << "trial " << trial << ", cell " << i << ", rule " << int(rule) << ", seed " << seed;
+        ASSERT_NEAR(fractions[i], exact, 1e-6) << "trial " << trial << ", cell " << i << ", rule "
+                                               << int(isInside.rule) << ", seed " << seed;
       }
     }
   }
@@ -389,8 +387,8 @@ TEST(CellFractions, AddUpWhereSheetsMeetAtCornersAndEdges)
     for (const InsideRule rule :
       {InsideRule::signedThreshold, InsideRule::absoluteThreshold, InsideRule::odd})
     {
-      const std::vector<float> whole = fractionsOf(*field, cells, rule);
-      const std::vector<float> fractions = fractionsOf(*field, parts, rule);
+      const std::vector<float> whole = fractionsOf(*field, cells, {rule});
+      const std::vector<float> fractions = fractionsOf(*field, parts, {rule});
       const double sum = std::accumulate(fractions.begin(), fractions.end(), 0.0) / 6;
       worst = std::max(worst, std::abs(sum - static_cast<double>(whole[0])));
       ASSERT_NEAR(sum, whole[0], 1e-6) << "trial " << trial << ", seed " << seed;
@@ -420,8 +418,8 @@ TEST(CellFractions, AreExactWhereAWallIsSeenEdgeOn)
       const auto field = fieldOf(cube(wall.low, wall.high).with(cube(through.low, through.high)));
       for (const InsideRule rule : {InsideRule::signedThreshold, InsideRule::odd})
       {
-        const double share = exactShare({0, 0, 0}, {1, 1, 1}, solids, rule, 0.5);
-        const double found = static_cast<double>(fractionsOf(*field, cells, rule)[0]);
+        const double share = exactShare({0, 0, 0}, {1, 1, 1}, solids, {rule});
+        const double found = static_cast<double>(fractionsOf(*field, cells, {rule})[0]);
         worst = std::max(worst, std::abs(found - share));
       }
       EXPECT_LT(worst, 1e-7) << "axis " << axis << ", distance " << distance;
@@ -463,7 +461,7 @@ TEST(CellFractions, AddUpWhereThinSolidsPassThroughEachOther)
     for (const CellList& cells : {part(0, 1), part(0, length), part(length, 1),
            tetrahedraOf(part(0, 1)), tetrahedraOf(part(0, length))})
     {
-      for (const float fraction : fractionsOf(*field, cells, rule))
+      for (const float fraction : fractionsOf(*field, cells, {rule}))
       {
         largest = std::max(largest, static_cast<double>(fraction));
         EXPECT_LT(fraction, 1e-9) << "rule " << static_cast<int>(rule);
@@ -521,8 +519,7 @@ TEST(CellFractions, AreNaNNowhereAndZeroOrOneWithoutVolume)
   shape.points = {{0.1, 0.2, 0.3}, {0.2, 0.2, 0.1}};
   cells.add(shape);
   winding::CellsWithoutFraction counts;
-  const std::vector<float> fractions =
-    fractionsOf(*field, cells, InsideRule::signedThreshold, 0.5, &counts);
+  const std::vector<float> fractions = fractionsOf(*field, cells, {}, &counts);
   EXPECT_TRUE(std::isnan(fractions[0]));
   EXPECT_TRUE(std::isnan(fractions[1]));
   EXPECT_EQ(fractions[2], 1);
@@ -581,8 +578,7 @@ TEST(CellFractions, AreNaNWhereFacesDoNotClose)
     cells.add(shape);
   }
   winding::CellsWithoutFraction counts;
-  const std::vector<float> fractions =
-    fractionsOf(*field, cells, InsideRule::signedThreshold, 0.5, &counts);
+  const std::vector<float> fractions = fractionsOf(*field, cells, {}, &counts);
   EXPECT_FLOAT_EQ(fractions[0], 0.5F);
   EXPECT_TRUE(std::isnan(fractions[1]));
   EXPECT_TRUE(std::isnan(fractions[2]));
@@ -638,8 +634,7 @@ TEST(CellFractions, DependOnTheCellAlone)
   {
     ShuffledThreads threads(seed);
     std::vector<float> again(cells.size());
-    winding::evaluateFractions(
-      *field, cells, InsideRule::signedThreshold, 0.5, again.data(), threads);
+    winding::evaluateFractions(*field, cells, InsideTest(), again.data(), threads);
     EXPECT_EQ(again, fractions) << "seed " << seed;
   }
   Mesh turned = mesh;
@@ -717,8 +712,7 @@ TEST(CellFractions, OfTanglesAreMeansOverRays)
     CellList cell;
     const std::vector<Point> corners = {{-4, -4, -4}, {8, -4, -4}, {-4, 8, -4}, {-4, -4, 8}};
     cell.add(tetra, corners);
-    for (const auto& [rule, threshold] :
-      {std::pair(InsideRule::signedThreshold, 0.5), std::pair(InsideRule::signedThreshold, 3.5)})
+    for (const double threshold : {0.5, 3.5})
     {
       std::vector<Point> samples;
       for (int i = 0; i < 60'000; ++i)
@@ -733,13 +727,12 @@ TEST(CellFractions, OfTanglesAreMeansOverRays)
       std::vector<unsigned char> inside(samples.size());
       winding::FieldOutput output;
       output.inside = inside.data();
-      output.rule = rule;
-      output.threshold = threshold;
+      output.isInside.threshold = threshold;
       field->evaluate(winding::VectorsView(samples[0].data(), samples.size()), output, serial);
       const double expected =
         static_cast<double>(std::count(inside.begin(), inside.end(), 1)) / 60'000;
       float found = 0;
-      winding::evaluateFractions(*field, cell, rule, threshold, &found, serial);
+      winding::evaluateFractions(*field, cell, output.isInside, &found, serial);
       EXPECT_NEAR(found, expected, 0.006) << threshold; // measured: 0.0014
     }
   }
@@ -761,8 +754,7 @@ TEST(CellFractions, CanBeInterruptedWithinAnOpenCell)
   cell.add(tetra, {{-1, -1, -1}, {3, -1, -1}, {-1, 3, -1}, {-1, -1, 3}});
   float found = 0;
   LargestRun executor;
-  winding::evaluateFractions(
-    *fieldOf(triangleSoup(300, 5)), cell, InsideRule::signedThreshold, 0.5, &found, executor);
+  winding::evaluateFractions(*fieldOf(triangleSoup(300, 5)), cell, InsideTest(), &found, executor);
   EXPECT_GE(executor.blocks, 200u); // an interrupt is seen between blocks
 }
 
@@ -779,10 +771,9 @@ TEST(CellFractions, CanBeInterrupted)
       Interruption interruption(runs);
       std::vector<float> fractions(cells.size());
       if (isCompleted(
-            [&]
-            {
+            [&] {
               winding::evaluateFractions(
-                *source, cells, InsideRule::signedThreshold, 0.5, fractions.data(), interruption);
+                *source, cells, InsideTest(), fractions.data(), interruption);
             }))
       {
         break;

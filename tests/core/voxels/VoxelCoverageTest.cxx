@@ -75,9 +75,9 @@ std::vector<unsigned char> overlapOf(const Field& field, const Grid& grid, const
   std::vector<unsigned char> inside(winding::sampleCount(extent));
   winding::FieldOutput output;
   output.inside = inside.data();
-  output.rule = rule;
+  output.isInside.rule = rule;
   field.evaluate(grid, extent, output, executor);
-  winding::addOverlap(field, grid, extent, rule, output.threshold, inside.data(), executor);
+  winding::addOverlap(field, grid, extent, output.isInside, inside.data(), executor);
   return inside;
 }
 
@@ -85,7 +85,7 @@ std::vector<float> fractionsOf(const Field& field, const Grid& grid, const Exten
   InsideRule rule, winding::Executor& executor)
 {
   std::vector<float> fractions(winding::sampleCount(extent), -1);
-  const winding::CoverageFractions sampling(field, grid, extent, k, rule, 0.5, fractions.data());
+  const winding::CoverageFractions sampling(field, grid, extent, k, {rule}, fractions.data());
   for (int part = 0; part < sampling.parts(); ++part)
   {
     sampling.evaluate(part, executor);
@@ -98,9 +98,9 @@ int sideOf(const Source& source, const Point& point, InsideRule rule)
 {
   const double w = source.field->reference(point);
   const double tolerance = source.isInteger ? 0.4 : 2e-3;
-  const bool low = winding::isInside(w - tolerance, rule, 0.5);
-  const bool high = winding::isInside(w + tolerance, rule, 0.5);
-  return low == high ? static_cast<int>(winding::isInside(w, rule, 0.5)) : -1;
+  const winding::InsideTest isInside = {rule};
+  const bool low = isInside(w - tolerance), high = isInside(w + tolerance);
+  return low == high ? static_cast<int>(isInside(w)) : -1;
 }
 
 constexpr InsideRule rules[] = {
@@ -223,7 +223,7 @@ TEST(CoverageFractions, SamplesOfOneAreTheCentres)
     output.inside = inside.data();
     source.field->evaluate(grid, extent, output, serial);
     const std::vector<float> fractions =
-      fractionsOf(*source.field, grid, extent, 1, output.rule, serial);
+      fractionsOf(*source.field, grid, extent, 1, output.isInside.rule, serial);
     EXPECT_TRUE(std::equal(inside.begin(), inside.end(), fractions.begin())) << source.name;
   }
 }
@@ -280,7 +280,7 @@ TEST(CoverageFractions, ManySamplesComeInParts)
   const Grid grid = gridOf(*field, {50, 46, 60});
   std::vector<float> fractions(winding::sampleCount(grid.wholeExtent()));
   const winding::CoverageFractions sampling(*field, grid, grid.wholeExtent(),
-    winding::CoverageFractions::mostSamples, InsideRule::signedThreshold, 0.5, fractions.data());
+    winding::CoverageFractions::mostSamples, winding::InsideTest(), fractions.data());
   EXPECT_EQ(sampling.parts(), 3) << "of 29 layers";
   // The test compares a layer of each part only, so that it is brief.
   for (const int k : {10, 40, 59})
@@ -321,8 +321,8 @@ TEST(CoverageFractions, BitsUniteFields)
         field->evaluate(samples, samples.wholeExtent(), output, serial);
         std::transform(any.begin(), any.end(), inside.begin(), any.begin(), std::logical_or<>());
         std::vector<float> fractions(count, -1);
-        const winding::CoverageFractions sampling(*field, grid, extent, k,
-          InsideRule::signedThreshold, 0.5, fractions.data(), words.data());
+        const winding::CoverageFractions sampling(
+          *field, grid, extent, k, winding::InsideTest(), fractions.data(), words.data());
         for (int part = 0; part < sampling.parts(); ++part)
         {
           sampling.evaluate(part, serial);
@@ -369,8 +369,8 @@ TEST(CoverageFractions, GridsTooFineForTheirSamplesAreRefused)
   const std::shared_ptr<const Field> field = fieldOf(icosphere(1));
   Grid grid = gridOf(*field, {4, 4, 4});
   grid.dimensions[1] = 600'000'000;
-  EXPECT_THROW(
-    winding::CoverageFractions(*field, grid, {0, 0, 0, 0, 0, 0}, 4, InsideRule::odd, 0.5, nullptr),
+  EXPECT_THROW(winding::CoverageFractions(*field, grid, {0, 0, 0, 0, 0, 0}, 4,
+                 winding::InsideTest{InsideRule::odd}, nullptr),
     winding::Refusal);
 }
 
@@ -386,14 +386,14 @@ TEST(VoxelCoverage, InterruptionsEndIt)
     {
       Interruption interruption(calls);
       EXPECT_THROW(winding::addOverlap(*source.field, grid, grid.wholeExtent(),
-                     InsideRule::signedThreshold, 0.5, inside.data(), interruption),
+                     winding::InsideTest(), inside.data(), interruption),
         winding::Interrupted)
         << source.name << calls;
       Interruption another(calls);
       try
       {
-        winding::CoverageFractions(*source.field, grid, grid.wholeExtent(), 2,
-          InsideRule::signedThreshold, 0.5, fractions.data())
+        winding::CoverageFractions(
+          *source.field, grid, grid.wholeExtent(), 2, winding::InsideTest(), fractions.data())
           .evaluate(0, another);
       }
       catch (const winding::Interrupted&)

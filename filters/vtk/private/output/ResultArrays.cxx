@@ -121,14 +121,13 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
   }
 }
 
-FieldOutput ResultArrays::output(InsideRule rule, double threshold) const
+FieldOutput ResultArrays::output(const InsideTest& isInside) const
 {
   FieldOutput output;
   pointInto(values_, output.values, output.doubleValues);
   pointInto(distances_, output.distances, output.doubleDistances);
   output.inside = inside_ ? inside_->GetPointer(0) : nullptr;
-  output.rule = rule;
-  output.threshold = threshold;
+  output.isInside = isInside;
   return output;
 }
 
@@ -142,14 +141,14 @@ std::optional<vtkIdType> ResultArrays::countInside() const
   return std::count(first, first + inside_->GetNumberOfValues(), 1);
 }
 
-bool ResultArrays::isInside(std::size_t sample, InsideRule rule, double threshold) const
+bool ResultArrays::isInside(std::size_t sample, const InsideTest& isInside) const
 {
   const auto number = static_cast<vtkIdType>(sample);
   if (inside_)
   {
     return inside_->GetValue(number) != 0;
   }
-  return values_ ? winding::isInside(values_->GetComponent(number, 0), rule, threshold)
+  return values_ ? isInside(values_->GetComponent(number, 0))
                  : distances_->GetComponent(number, 0) < 0;
 }
 

@@ -63,7 +63,7 @@ public:
   ResultArrays(vtkIdType samples, const ResultOptions& options);
 
   /// Pointers into the arrays.
-  FieldOutput output(InsideRule rule, double threshold) const;
+  FieldOutput output(const InsideTest& isInside) const;
 
   /// The array of w; null if there is none.
   vtkDataArray* values() const { return values_; }
@@ -79,7 +79,7 @@ public:
 
   /// Returns whether a sample is inside, by the first of these that there is: the array of what is
   /// inside, values compared by the rule, distances below 0.
-  bool isInside(std::size_t sample, InsideRule rule, double threshold) const;
+  bool isInside(std::size_t sample, const InsideTest& isInside) const;
 
   /// Adds the arrays; the first of them becomes the active scalars.
   void addTo(vtkDataSetAttributes* attributes) const;

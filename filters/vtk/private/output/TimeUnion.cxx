@@ -71,11 +71,11 @@ template <class IsInside> vtkIdType countNumbers(vtkDataArray* array, const IsIn
 } // namespace
 
 vtkIdType uniteResults(vtkDataSetAttributes* all, vtkDataSetAttributes* other,
-  const std::string& name, InsideRule rule, double threshold)
+  const std::string& name, const InsideTest& isInside)
 {
   takeBetter(all, other, name,
-    [rule, threshold](double theirs, double ours)
-    { return levelOf(theirs, rule, threshold) > levelOf(ours, rule, threshold); });
+    [isInside](double theirs, double ours)
+    { return isInside.levelOf(theirs) > isInside.levelOf(ours); });
   const auto takeOther = [&](const std::string& of, auto isBetter)
   {
     if (of != name) // else it has winding numbers
@@ -92,7 +92,7 @@ vtkIdType uniteResults(vtkDataSetAttributes* all, vtkDataSetAttributes* other,
   }
   if (vtkDataArray* values = all->GetArray(name.c_str()))
   {
-    return countNumbers(values, [=](double value) { return isInside(value, rule, threshold); });
+    return countNumbers(values, [=](double value) { return isInside(value); });
   }
   return countNumbers(all->GetArray(distanceName), [](double distance) { return distance < 0; });
 }

@@ -26,7 +26,7 @@ namespace winding
 /// from the time at which they are farthest inside by the rule. What is inside at any time is
 /// inside; shares are the largest, and distances the least. Returns how many samples are inside.
 vtkIdType uniteResults(vtkDataSetAttributes* all, vtkDataSetAttributes* other,
-  const std::string& name, InsideRule rule, double threshold);
+  const std::string& name, const InsideTest& isInside);
 
 /// Unites the arrays of labels. A voxel keeps the label of the first time at which it has one.
 /// Counts and shares of labels are the largest; the two largest shares are from one time, which has

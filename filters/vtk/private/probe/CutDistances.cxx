@@ -63,16 +63,15 @@ std::vector<std::size_t> samplesOfCutCells(const ProbeQueries& queries, const un
 }
 
 /// The distances of samples from the end of what is kept, 0 or more.
-std::vector<double> distancesAt(const VectorsView& samples, const Field& field, InsideRule rule,
-  double threshold, Executor& executor)
+std::vector<double> distancesAt(
+  const VectorsView& samples, const Field& field, const InsideTest& isInside, Executor& executor)
 {
   std::vector<double> values(samples.size()), distances(samples.size());
   std::vector<double> gradients;
   FieldOutput output;
   output.doubleValues = values.data();
   output.doubleDistances = distances.data();
-  output.rule = rule;
-  output.threshold = threshold;
+  output.isInside = isInside;
   Progress progress(executor);
   const double shareOfDistances = field.info().jumpsOnly() ? 1 : 0.5;
   progress.set(0, shareOfDistances);
@@ -90,7 +89,7 @@ std::vector<double> distancesAt(const VectorsView& samples, const Field& field, 
       gradients.empty() ? 0 : Eigen::Map<const Eigen::Vector3d>(&gradients[3 * i]).stableNorm();
     if (slope > 0)
     {
-      distances[i] = std::min(distances[i], std::abs(levelOf(values[i], rule, threshold)) / slope);
+      distances[i] = std::min(distances[i], std::abs(isInside.levelOf(values[i])) / slope);
     }
   }
   return distances;
@@ -111,7 +110,7 @@ std::size_t bytesOfCutDistances(const Field& field, std::size_t samples)
 }
 
 std::vector<double> cutDistances(const Field& field, const ProbeQueries& queries,
-  const unsigned char* kept, InsideRule rule, double threshold, Executor& executor)
+  const unsigned char* kept, const InsideTest& isInside, Executor& executor)
 {
   const auto size = static_cast<std::size_t>(queries.size());
   refuseBeyondFreeMemory(bytesPerSampleOfCuts * static_cast<double>(size),
@@ -126,7 +125,7 @@ std::vector<double> cutDistances(const Field& field, const ProbeQueries& queries
     std::copy_n(position.data(), 3, &positions[3 * i]);
   }
   const std::vector<double> distances =
-    distancesAt(VectorsView(positions.data(), cut.size()), field, rule, threshold, executor);
+    distancesAt(VectorsView(positions.data(), cut.size()), field, isInside, executor);
 
   std::vector<double> numbers(size, 1);
   for (std::size_t i = 0; i < cut.size(); ++i)

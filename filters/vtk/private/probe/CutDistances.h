@@ -38,6 +38,6 @@ std::size_t bytesOfCutDistances(const Field& field, std::size_t samples);
  * Throws Interrupted, and OutOfMemory before anything is evaluated.
  */
 std::vector<double> cutDistances(const Field& field, const ProbeQueries& queries,
-  const unsigned char* kept, InsideRule rule, double threshold, Executor& executor);
+  const unsigned char* kept, const InsideTest& isInside, Executor& executor);
 
 } // namespace winding
