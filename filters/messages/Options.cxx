@@ -241,9 +241,10 @@ std::string nameOf(Parameter parameter, FrontEnd frontEnd)
     return option->keyword;
   case FrontEnd::c:
     return withUnderscores(option->property);
-  default:
-    return option->property;
+  case FrontEnd::cxx:
+    break;
   }
+  return option->property;
 }
 
 std::string howTo(const Setting& setting, FrontEnd frontEnd)
@@ -264,9 +265,10 @@ std::string howTo(const Setting& setting, FrontEnd frontEnd)
     return inPython(*option, setting);
   case FrontEnd::c:
     return inC(*option, setting);
-  default:
-    return inCxx(*option, setting);
+  case FrontEnd::cxx:
+    break;
   }
+  return inCxx(*option, setting);
 }
 
 std::string lineOf(const Message& message, FrontEnd frontEnd)

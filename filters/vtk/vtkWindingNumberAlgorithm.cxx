@@ -54,9 +54,10 @@ int kindOf(vtkDataObject* source)
     return vtkWindingNumberAlgorithm::MESH_SOURCE;
   case winding::SourceKind::cloud:
     return vtkWindingNumberAlgorithm::CLOUD_SOURCE;
-  default:
-    return vtkWindingNumberAlgorithm::NO_SOURCE;
+  case winding::SourceKind::nothing:
+    break;
   }
+  return vtkWindingNumberAlgorithm::NO_SOURCE;
 }
 
 /// The share of progress that estimated normals take. They may take longer than all else, or,

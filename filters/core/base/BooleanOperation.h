@@ -29,9 +29,10 @@ inline bool isInResult(
     return inside == operands;
   case BooleanOperation::subtract:
     return isInFirst && inside == 1;
-  default:
-    return inside % 2 != 0;
+  case BooleanOperation::exclude:
+    break;
   }
+  return inside % 2 != 0;
 }
 
 } // namespace winding

@@ -82,9 +82,10 @@ struct SolidShape
       return {offset - shell, offset};
     case ShellSide::outward:
       return {offset, offset + shell};
-    default:
-      return {offset - 0.5 * shell, offset + 0.5 * shell};
+    case ShellSide::centered:
+      break;
     }
+    return {offset - 0.5 * shell, offset + 0.5 * shell};
   }
 
   /// Returns by how much the shape reaches beyond the solid.

@@ -19,9 +19,10 @@ std::size_t VoxelEvaluation::additionalBytes(const Field& field, std::size_t vox
     return bytesOfOverlap(field, voxels);
   case Coverage::fraction:
     return bytesOfFractions(field, voxels, samplesPerAxis);
-  default:
-    return 0;
+  case Coverage::center:
+    break;
   }
+  return 0;
 }
 
 void VoxelEvaluation::run(
