@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace winding
 {
@@ -28,12 +29,12 @@ void takeEqual(const FacesByCorners& faces, Number first, Number last, RepeatedF
   bool isFirstThere = false, isOppositeThere = !isPair;
   for (Number face = first; face != last; ++face)
   {
-    bool& isThere = faces.isForward(*face) == isForward ? isFirstThere : isOppositeThere;
-    const FaceKind kind = isThere                     ? FaceKind::repeated
-                          : &isThere != &isFirstThere ? FaceKind::opposite
-                          : isPair                    ? FaceKind::facing
-                                                      : FaceKind::first;
-    isThere = true;
+    const bool runsAsFirst = faces.isForward(*face) == isForward;
+    const bool isThere = std::exchange(runsAsFirst ? isFirstThere : isOppositeThere, true);
+    const FaceKind kind = isThere        ? FaceKind::repeated
+                          : !runsAsFirst ? FaceKind::opposite
+                          : isPair       ? FaceKind::facing
+                                         : FaceKind::first;
     result.repeated += kind == FaceKind::repeated;
     for (const std::int32_t triangle : faces.triangles(*face))
     {
