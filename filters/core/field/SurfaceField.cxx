@@ -40,44 +40,11 @@ SurfaceField::SurfaceField(
   {
     leaveOut(surface_, openPartsInside(surface_, edgesOf(surface_, executor), executor).isInside);
   }
-  info_.inputPrimitives = surface_.inputTriangles;
-  info_.primitives = surface_.triangles.size();
-  info_.dropped = surface_.dropped();
-  info_.weldedVertices = surface_.vertices.size();
-  info_.bounds = surface_.bounds;
-  info_.isScattered = options.scattered;
-  info_.tolerance = options.tolerance;
-  if (surface_.dropped() > 0)
-  {
-    info_.warnings.emplace_back(
-      std::to_string(surface_.dropped()) + " of " + std::to_string(surface_.inputTriangles) +
-      " triangles were unusable and left out (" + std::to_string(surface_.nonFiniteTriangles) +
-      " with NaN or infinite coordinates, " + std::to_string(surface_.invalidIdTriangles) +
-      " with ids of points that do not exist)");
-  }
   BoundaryChain chain = boundaryChain(surface_, executor);
-  info_.boundaryEdges = chain.edgesOfOneTriangle;
-  info_.contradictingEdges = chain.contradictions.size();
-  info_.netBoundaryEdges = chain.edges.size();
   this->mergeEqual(chain);
-  info_.distinct = distinct_->triangles.size();
-  if (!chain.edges.empty() && info_.added == 0)
-  {
-    info_.openings = openingsOf(chain.edges, surface_, this->area());
-  }
+  this->describe(chain, options);
   this->chooseMethod(options, chain, executor);
-  SurfaceFacts facts;
-  facts.surface = &surface_;
-  facts.distinct = distinct_;
-  facts.netBoundaryEdges = info_.netBoundaryEdges;
-  facts.hasRims = info_.boundaryEdges > 0;
-  facts.hasNoSides = !merged_.multiplicities.empty() && merged_.multiplicities.back() == 0;
-  facts.hasManyCrowds = 10 * chain.crowdedVertices.size() > surface_.vertices.size();
-  facts.contradictions = std::move(chain.contradictions);
-  facts.openings = info_.openings;
-  facts.isOriented = options.orientFaces;
-  facts.isSheet = info_.added != 0;
-  diagnosis_ = std::make_unique<Diagnosis>(std::move(facts));
+  diagnosis_ = std::make_unique<Diagnosis>(this->takeFacts(chain, options));
   boundaryGradient_ = std::make_unique<BoundaryGradient>(surface_, std::move(chain.edges));
 }
 
@@ -148,6 +115,51 @@ void SurfaceField::complete(
       info_.warnings.emplace_back(Message(Parameter::sheetSide, "has no use: no part is open"));
     }
   }
+}
+
+/// Fills in the information on the source, with a warning of triangles that were left out.
+void SurfaceField::describe(const BoundaryChain& chain, const FieldOptions& options)
+{
+  info_.inputPrimitives = surface_.inputTriangles;
+  info_.primitives = surface_.triangles.size();
+  info_.dropped = surface_.dropped();
+  info_.weldedVertices = surface_.vertices.size();
+  info_.bounds = surface_.bounds;
+  info_.isScattered = options.scattered;
+  info_.tolerance = options.tolerance;
+  if (surface_.dropped() > 0)
+  {
+    info_.warnings.emplace_back(
+      std::to_string(surface_.dropped()) + " of " + std::to_string(surface_.inputTriangles) +
+      " triangles were unusable and left out (" + std::to_string(surface_.nonFiniteTriangles) +
+      " with NaN or infinite coordinates, " + std::to_string(surface_.invalidIdTriangles) +
+      " with ids of points that do not exist)");
+  }
+  info_.boundaryEdges = chain.edgesOfOneTriangle;
+  info_.contradictingEdges = chain.contradictions.size();
+  info_.netBoundaryEdges = chain.edges.size();
+  info_.distinct = distinct_->triangles.size();
+  if (!chain.edges.empty() && info_.added == 0)
+  {
+    info_.openings = openingsOf(chain.edges, surface_, this->area());
+  }
+}
+
+/// Returns the facts for a diagnosis, and moves the contradictions of `chain` into them.
+SurfaceFacts SurfaceField::takeFacts(BoundaryChain& chain, const FieldOptions& options) const
+{
+  SurfaceFacts facts;
+  facts.surface = &surface_;
+  facts.distinct = distinct_;
+  facts.netBoundaryEdges = info_.netBoundaryEdges;
+  facts.hasRims = info_.boundaryEdges > 0;
+  facts.hasNoSides = !merged_.multiplicities.empty() && merged_.multiplicities.back() == 0;
+  facts.hasManyCrowds = 10 * chain.crowdedVertices.size() > surface_.vertices.size();
+  facts.contradictions = std::move(chain.contradictions);
+  facts.openings = info_.openings;
+  facts.isOriented = options.orientFaces;
+  facts.isSheet = info_.added != 0;
+  return facts;
 }
 
 /// Makes the surface that is summed another one, where triangles are equal to each other.

@@ -54,6 +54,8 @@ private:
   void complete(
     const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor);
   void mergeEqual(const BoundaryChain& chain);
+  void describe(const BoundaryChain& chain, const FieldOptions& options);
+  SurfaceFacts takeFacts(BoundaryChain& chain, const FieldOptions& options) const;
   void chooseMethod(const FieldOptions& options, const BoundaryChain& chain, Executor& executor);
   void chooseFarField(const FieldOptions& options, const std::string& why);
   void makeFarField(double tolerance);
