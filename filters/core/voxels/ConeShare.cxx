@@ -96,6 +96,86 @@ void keepPart(const Point* from, std::size_t count, const Distance& distance, co
   }
 }
 
+/// The corners of a convex polygon; a triangle that four planes cut has seven at most.
+struct Corners
+{
+  std::array<Eigen::Vector3d, 8> at;
+  std::size_t count = 0;
+};
+
+/// Returns the part of a triangle, by its corners' weights, within the four sides of the cone.
+Corners clipped(const std::array<Eigen::Vector3d, 3>& whole)
+{
+  const auto isBeyond = [&whole](const auto& distance)
+  {
+    return distance(whole[0]) < 0 && distance(whole[1]) < 0 && distance(whole[2]) < 0;
+  };
+  const auto first = [](const Eigen::Vector3d& at)
+  {
+    return at[0];
+  };
+  const auto second = [](const Eigen::Vector3d& at)
+  {
+    return at[1];
+  };
+  const auto third = [](const Eigen::Vector3d& at)
+  {
+    return at[2];
+  };
+  const auto face = [](const Eigen::Vector3d& at)
+  {
+    return 1 - at.sum();
+  };
+  Corners kept, next;
+  if (isBeyond(first) || isBeyond(second) || isBeyond(third) || isBeyond(face))
+  {
+    return kept;
+  }
+  kept.count = 3;
+  std::copy(whole.begin(), whole.end(), kept.at.begin());
+  const auto cut = [&](const auto& distance)
+  {
+    next.count = 0;
+    keepPart(kept.at.data(), kept.count, distance,
+      [&next](const Eigen::Vector3d& at) { next.at[next.count++] = at; });
+    kept = next;
+  };
+  cut(first);
+  cut(second);
+  cut(third);
+  cut(face);
+  return kept;
+}
+
+/// Returns corners as seen from the apex, those that only rounding leaves apart as one. Returns
+/// none where a corner is the apex.
+Corners projected(const Corners& clipped)
+{
+  const auto isOne = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+  {
+    return (a - b).head<2>().cwiseAbs().maxCoeff() < leastSide;
+  };
+  Corners result;
+  for (std::size_t i = 0; i < clipped.count; ++i)
+  {
+    const double sum = clipped.at[i].sum();
+    if (!(sum > 0))
+    {
+      return {};
+    }
+    const Eigen::Vector3d corner(clipped.at[i][0] / sum, clipped.at[i][1] / sum, 1 / sum);
+    if (result.count == 0 || !isOne(corner, result.at[result.count - 1]))
+    {
+      result.at[result.count++] = corner;
+    }
+  }
+  if (result.count > 1 && isOne(result.at[0], result.at[result.count - 1]))
+  {
+    --result.count;
+  }
+  return result;
+}
+
 /// Whether a piece of a polygon reaches into a box.
 template <class Piece>
 bool reaches(const Piece& piece, const Eigen::Array2d& low, const Eigen::Array2d& high)
@@ -163,68 +243,14 @@ void ConeShare::add(const ConeTriangle& triangle, const Eigen::Matrix3d& weights
     polygon.whole[i] = weights * triangle.corners[i];
   }
   const std::array<Eigen::Vector3d, 3>& whole = polygon.whole;
-  const auto isBeyond = [&whole](const auto& distance)
+  const Corners kept = clipped(whole);
+  const Corners seen = kept.count < 3 ? Corners() : projected(kept);
+  const std::size_t count = seen.count;
+  if (count == 0)
   {
-    return distance(whole[0]) < 0 && distance(whole[1]) < 0 && distance(whole[2]) < 0;
-  };
-  const auto first = [](const Eigen::Vector3d& at)
-  {
-    return at[0];
-  };
-  const auto second = [](const Eigen::Vector3d& at)
-  {
-    return at[1];
-  };
-  const auto third = [](const Eigen::Vector3d& at)
-  {
-    return at[2];
-  };
-  const auto face = [](const Eigen::Vector3d& at)
-  {
-    return 1 - at.sum();
-  };
-  if (isBeyond(first) || isBeyond(second) || isBeyond(third) || isBeyond(face))
-  {
-    return;
+    return; // nothing within the cone, or only the apex
   }
-  std::array<Eigen::Vector3d, 8> kept, next;
-  std::size_t count = 3;
-  std::copy(whole.begin(), whole.end(), kept.begin());
-  const auto cut = [&](const auto& distance)
-  {
-    std::size_t left = 0;
-    keepPart(kept.data(), count, distance, [&](const Eigen::Vector3d& at) { next[left++] = at; });
-    kept = next;
-    count = left;
-  };
-  cut(first);
-  cut(second);
-  cut(third);
-  cut(face);
-  if (count < 3)
-  {
-    return;
-  }
-  const auto isOne = [](const Corner& a, const Corner& b)
-  {
-    return (a - b).head<2>().cwiseAbs().maxCoeff() < leastSide;
-  };
-  std::size_t corners = 0;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double sum = kept[i].sum();
-    if (!(sum > 0))
-    {
-      return; // only the apex
-    }
-    const Corner corner(kept[i][0] / sum, kept[i][1] / sum, 1 / sum);
-    if (corners == 0 || !isOne(corner, polygon.corners[corners - 1]))
-    {
-      polygon.corners[corners++] = corner;
-    }
-  }
-  count =
-    corners > 1 && isOne(polygon.corners[0], polygon.corners[corners - 1]) ? corners - 1 : corners;
+  polygon.corners = seen.at;
   const double area = doubleAreaOf(polygon.corners.data(), count);
   const Eigen::Vector3d normal = (whole[1] - whole[0]).cross(whole[2] - whole[0]);
   const double height = normal.dot(whole[0]);
