@@ -197,7 +197,7 @@ const winding::FieldInfo& vtkWindingNumberBoolean::GetSourceInfo() const
 }
 
 /// Returns the operands as blocks with names.
-vtkDataObject* vtkWindingNumberBoolean::GetSource()
+vtkDataObject* vtkWindingNumberBoolean::MakeSource()
 {
   std::vector<std::pair<vtkSmartPointer<vtkDataObject>, std::string>> sources;
   for (int port = 0; port < this->GetNumberOfSourcePorts(); ++port)
@@ -316,7 +316,7 @@ int vtkWindingNumberBoolean::RequestData(
     return 1;
   }
   this->AgreeOnProperties();
-  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(this->GetSource());
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(this->MakeSource());
   const unsigned int count = blocks->GetNumberOfBlocks();
   if (count < 2)
   {

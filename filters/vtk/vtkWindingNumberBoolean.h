@@ -136,7 +136,7 @@ protected:
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
   int GetNumberOfSourcePorts() const override { return 2; }
-  vtkDataObject* GetSource() override;
+  vtkDataObject* MakeSource() override;
   void HashBounds(winding::ContentHash& hash) override;
   bool GetSourceBounds(vtkDataObject* source, double bounds[6]) override;
   std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;

@@ -232,7 +232,7 @@ void vtkWindingNumberField::WarnOfPieces(const vtkIdType counts[4])
     {
       winding::SmpExecutor executor(this, this->NumberOfThreads);
       executor.setShare(1, 1);
-      const winding::Field& field = this->FieldOf(this->GetSource(), executor);
+      const winding::Field& field = this->FieldOf(this->MakeSource(), executor);
       if (this->GetRanks().rank() == 0)
       {
         this->WarnOfResult(field, result);

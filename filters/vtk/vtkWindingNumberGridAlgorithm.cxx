@@ -122,7 +122,7 @@ void vtkWindingNumberGridAlgorithm::GetGrid(
   }
 }
 
-vtkDataObject* vtkWindingNumberGridAlgorithm::GetSource()
+vtkDataObject* vtkWindingNumberGridAlgorithm::MakeSource()
 {
   return this->GetInputDataObject(0, 0);
 }
@@ -330,7 +330,7 @@ void vtkWindingNumberGridAlgorithm::FindBoundsOverAllTimes(vtkInformation* outIn
     [&]
     {
       double bounds[6];
-      if (this->GetSourceBounds(this->GetSource(), bounds))
+      if (this->GetSourceBounds(this->MakeSource(), bounds))
       {
         all.extend(toBounds(bounds).min());
         all.extend(toBounds(bounds).max());

@@ -160,8 +160,9 @@ protected:
   /// Returns the connections of these ports, in their order.
   std::vector<vtkAlgorithmOutput*> GetSourceConnections();
 
-  /// Returns the source as the inputs hold it now, which may be null.
-  virtual vtkDataObject* GetSource();
+  /// Returns the source as the inputs hold it now, which may be null, or makes blocks of several
+  /// inputs, which live until the next call.
+  virtual vtkDataObject* MakeSource();
 
   /// Brings the source up to date, whole, for the time that `outInfo` asks for, if it asks for one.
   /// Throws a refusal if it fails.

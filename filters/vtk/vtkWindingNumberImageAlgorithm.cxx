@@ -151,10 +151,14 @@ void vtkWindingNumberImageAlgorithm::SetUpGridOverSource(vtkInformation* outInfo
   {
     // The grid depends on the source's bounds, and is known before anybody asks for a part of it.
     this->UpdateSource(outInfo);
-    this->InspectSource(this->GetSource());
   }
-  this->CheckSource(this->GetSource());
-  this->SetUpGrid(this->GetSource());
+  vtkDataObject* const source = this->MakeSource();
+  if (this->UseInputBounds)
+  {
+    this->InspectSource(source);
+  }
+  this->CheckSource(source);
+  this->SetUpGrid(source);
 }
 
 int vtkWindingNumberImageAlgorithm::RequestInformation(
@@ -168,7 +172,7 @@ int vtkWindingNumberImageAlgorithm::RequestInformation(
   outInfo->Remove(vtkDataObject::DIRECTION());
   const int nothing[6] = {0, -1, 0, -1, 0, -1};
   outInfo->Set(Pipeline::WHOLE_EXTENT(), nothing, 6);
-  this->InspectSource(this->GetSource());
+  this->InspectSource(this->MakeSource());
   this->InspectLike(inputs[1]);
   this->AgreeOnProperties();
   const bool asCells = this->OutputAssociation == CELLS;
@@ -268,7 +272,7 @@ int vtkWindingNumberImageAlgorithm::RequestData(
   }
   int extent[6];
   outInfo->Get(Pipeline::UPDATE_EXTENT(), extent);
-  vtkDataObject* source = this->GetSource();
+  vtkDataObject* source = this->MakeSource();
   if (this->Like)
   {
     this->CheckLike(vtkImageData::GetData(inputs[1]));
@@ -327,8 +331,9 @@ bool vtkWindingNumberImageAlgorithm::MakeUnion(
       this->RunsLeft = static_cast<double>(count - number);
       vtkNew<vtkImageData> part;
       part->CopyStructure(image);
-      this->CheckSource(this->GetSource());
-      this->MakeImage(this->GetSource(), samples, part, this->GetAttributes(part));
+      vtkDataObject* const source = this->MakeSource();
+      this->CheckSource(source);
+      this->MakeImage(source, samples, part, this->GetAttributes(part));
       this->EarlierSeconds += this->PrepareSeconds + this->EvaluateSeconds;
       if (number == 0)
       {
@@ -339,7 +344,7 @@ bool vtkWindingNumberImageAlgorithm::MakeUnion(
         this->UniteTimes(image, part);
       }
     });
-  this->InspectSource(this->GetSource()); // which has its time back; the last one may be empty
+  this->InspectSource(this->MakeSource()); // which has its time back; the last one may be empty
   return isUnion;
 }
 

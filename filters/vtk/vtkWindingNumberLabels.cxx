@@ -92,12 +92,12 @@ void vtkWindingNumberLabels::ClearInputNames()
   }
 }
 
-vtkDataObject* vtkWindingNumberLabels::GetSource()
+vtkDataObject* vtkWindingNumberLabels::MakeSource()
 {
   const int count = this->GetNumberOfInputConnections(0);
   if (count < 2)
   {
-    return this->Superclass::GetSource();
+    return this->Superclass::MakeSource();
   }
   std::vector<std::pair<vtkSmartPointer<vtkDataObject>, std::string>> sources;
   for (int i = 0; i < count; ++i)

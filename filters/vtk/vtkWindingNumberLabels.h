@@ -191,7 +191,7 @@ protected:
   void operator=(const vtkWindingNumberLabels&) = delete;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  vtkDataObject* GetSource() override;
+  vtkDataObject* MakeSource() override;
   void CheckProperties() override;
   void HashProperties(winding::ContentHash& hash) override;
   void CheckSource(vtkDataObject* source) override;
@@ -220,7 +220,7 @@ private:
   std::unique_ptr<winding::LabelFacts> Facts;
   std::string LabelLegend;
   std::map<int, std::string> InputNames;
-  vtkSmartPointer<vtkMultiBlockDataSet> Blocks; ///< several inputs, as GetSource() returned them
+  vtkSmartPointer<vtkMultiBlockDataSet> Blocks; ///< several inputs, as MakeSource() returned them
 };
 VTK_ABI_NAMESPACE_END
 

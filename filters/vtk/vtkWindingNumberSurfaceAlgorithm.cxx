@@ -71,7 +71,7 @@ int vtkWindingNumberSurfaceAlgorithm::RequestInformation(
   vtkInformation* ofImage = outputs->GetInformationObject(1);
   winding::Extent extent = {0, -1, 0, -1, 0, -1};
   ofImage->Set(Pipeline::WHOLE_EXTENT(), extent.data(), 6);
-  this->InspectSource(this->GetSource());
+  this->InspectSource(this->MakeSource());
   this->GetRanks().requireSame(
     [this]() -> winding::Ranks::Number { return this->GenerateImage != 0; });
   this->FindBoundsOverAllTimes(outInfo);
@@ -84,7 +84,7 @@ int vtkWindingNumberSurfaceAlgorithm::RequestInformation(
   {
     this->UpdateSource(outInfo);
   }
-  this->SetUpGrid(this->GetSource());
+  this->SetUpGrid(this->MakeSource());
   const winding::Grid& grid = this->GetSampling();
   extent = grid.wholeExtent();
   ofImage->Set(Pipeline::WHOLE_EXTENT(), extent.data(), 6);
