@@ -169,8 +169,7 @@ TEST(Grids, SayWhatMakesTheResultDiffer)
   EXPECT_NE(warningsOf(ball, around, 5).find("(winding_threshold)"), std::string::npos);
   EXPECT_NE(
     warningsOf(ball, gridAround({7, 7, 7}, {8, 8, 8}, 4), 0.5).find("misses"), std::string::npos);
-  const Mesh shell =
-    ball.with(ball.reversed().mapped([](const Point& p) { return Point(0.98 * p); }));
+  const Mesh shell = ball.with(ball.reversed().scaled(0.98));
   EXPECT_NE(warningsOf(shell, around, 0.5).find("thinner than a voxel"), std::string::npos);
 }
 

@@ -106,8 +106,7 @@ TEST(Labels, OfNothingHaveSharesOfZero)
 TEST(Labels, ThatAreMissingAreTold)
 {
   const Mesh ball = shapes::icosphere(2);
-  const Field inward = fieldOf(ball.reversed()),
-              far = fieldOf(ball.mapped([](const Point&p) { return Point(p + Point(50, 0, 0)); }));
+  const Field inward = fieldOf(ball.reversed()), far = fieldOf(ball.moved({50, 0, 0}));
   const Field thin = fieldOf(shapes::cube({0.11, 0.11, 0.11}, {0.12, 0.12, 0.12}));
   const winding_grid grid = gridAround({-1, -1, -1}, {1, 1, 1}, 8);
   const winding_field* const fields[] = {inward.get(), far.get(), thin.get()};
@@ -166,7 +165,7 @@ TEST(Labels, ThatAreMissingInPartAreTold)
 {
   const auto movedBy = [](double x)
   {
-    return shapes::icosphere(2).mapped([x](const Point& p) { return Point(p + Point(x, 0, 0)); });
+    return shapes::icosphere(2).moved({x, 0, 0});
   };
   Mesh comb = movedBy(0);
   for (int tooth = 0; tooth < 4; ++tooth)
@@ -194,9 +193,7 @@ TEST(Labels, ThatAreMissingInPartAreTold)
 TEST(SolidsOfASurface, AreNumberedByTheirTriangles)
 {
   const Mesh ball = shapes::icosphere(2);
-  Mesh mesh = shapes::cube({5, 5, 5}, {6, 6, 6})
-                .with(ball)
-                .with(ball.reversed().mapped([](const Point& p) { return Point(0.5 * p); }));
+  Mesh mesh = shapes::cube({5, 5, 5}, {6, 6, 6}).with(ball).with(ball.reversed().scaled(0.5));
   mesh.triangles.push_back({0, 0, 99999});
   const winding_polygons polygons = polygonsOf(mesh);
   std::vector<std::int32_t> solids(mesh.triangles.size());
@@ -279,8 +276,7 @@ TEST(Faults, AreLoopsCapsAndEdges)
 
 TEST(Faults, OfTheBoundaryHaveTheWidthsOfSlits)
 {
-  const Mesh mesh = shapes::cubeWithSlit(1e-9).with(
-    shapes::openCube().mapped([](const Point& p) -> Point { return p + Point(5, 0, 0); }));
+  const Mesh mesh = shapes::cubeWithSlit(1e-9).with(shapes::openCube().moved({5, 0, 0}));
   const winding_polygons polygons = polygonsOf(mesh);
   winding_mesh* made = nullptr;
   ASSERT_EQ(winding_faults(
@@ -348,9 +344,7 @@ TEST(Examination, CountsAndAdvises)
 TEST(Orientation, CountsTrianglesAndComponentsApart)
 {
   const Mesh inward = shapes::cube().reversed();
-  const Mesh mesh =
-    inward.with(shapes::cube({3, 3, 3}, {4, 4, 4}))
-      .with(inward.mapped([](const Point& p) { return Point(p + Point(9, 0, 0)); }));
+  const Mesh mesh = inward.with(shapes::cube({3, 3, 3}, {4, 4, 4})).with(inward.moved({9, 0, 0}));
   const winding_polygons polygons = polygonsOf(mesh);
   std::vector<std::uint8_t> turned(36, 9), leftOut(36, 9);
   std::int64_t triangles = 0, components = 0;

@@ -163,7 +163,7 @@ std::string checkBase(Choices& choices, const Surface& surface, Executor& execut
   return {};
 }
 
-std::string checkWeld(Choices& choices, const Surface& surface, Executor& serial)
+std::string checkWeld(Choices& choices, const Surface& surface)
 {
   const double size = surface.bounds.sizes().maxCoeff();
   const double tolerance = size * std::pow(10, choices.between(-8, 0));
@@ -243,7 +243,7 @@ std::string checkCompletion(Choices& choices)
   case 1:
     return checkBase(choices, surface, serial);
   default:
-    return checkWeld(choices, surface, serial);
+    return checkWeld(choices, surface);
   }
 }
 

@@ -39,6 +39,16 @@ std::shared_ptr<const winding::Field> fieldOf(
   return fieldOf(source, options);
 }
 
+/// Builds the field of a Mesh or a Cloud with one option that is not the default.
+template <class Source, class Option, class Value>
+std::shared_ptr<const winding::Field> fieldOf(
+  const Source& source, Option winding::FieldOptions::*option, const Value& value)
+{
+  winding::FieldOptions options;
+  options.*option = value;
+  return fieldOf(source, options);
+}
+
 inline std::vector<double> valuesOn(const winding::Field& field, const winding::Grid& grid,
   const winding::Extent& extent, winding::Executor& executor)
 {

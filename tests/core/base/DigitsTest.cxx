@@ -3,9 +3,9 @@
 #include "base/Digits.h"
 
 #include "base/Message.h"
-#include "base/Refusal.h"
 #include "report/Fidelity.h"
 #include "source/Grid.h"
+#include "support/Refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -85,15 +85,7 @@ TEST(Digits, HaveAPointWhereStreamsHaveAComma)
   winding::GridRequest request;
   request.bounds = winding::Bounds(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones());
   request.padding = -1.5;
-  try
-  {
-    winding::setUpGrid(request);
-    FAIL() << "is not refused";
-  }
-  catch (const winding::Refusal& refusal)
-  {
-    EXPECT_NE(std::string(refusal.what()).find("-1.5"), std::string::npos) << refusal.what();
-  }
+  shapes::expectRefused([&] { winding::setUpGrid(request); }, "-1.5");
   winding::Fidelity fidelity;
   fidelity.volume = 2.5;
   fidelity.components = 12345;

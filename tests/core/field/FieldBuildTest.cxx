@@ -10,6 +10,7 @@
 #include "support/Fields.h"
 #include "support/Named.h"
 #include "support/Places.h"
+#include "support/Refusals.h"
 #include "support/Serial.h"
 #include "support/Shapes.h"
 
@@ -47,18 +48,7 @@ template <class Source>
 void expectRefused(const Source& source, const FieldOptions& options, const std::string& mention,
   std::optional<winding::Parameter> parameter = {})
 {
-  try
-  {
-    Field::build(std::vector<decltype(source.view())>{source.view()}, options, serial);
-    FAIL() << "not refused";
-  }
-  catch (const winding::Refusal& refusal)
-  {
-    const std::string message = refusal.what();
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    EXPECT_NE(message.find(mention), std::string::npos) << message;
-    EXPECT_TRUE(!parameter || isNamed(refusal.message(), *parameter)) << message;
-  }
+  shapes::expectRefused([&] { fieldOf(source, options); }, mention, parameter);
 }
 
 } // namespace

@@ -520,9 +520,8 @@ TEST(RegularizedField, RefusesLengthsThatAreNone)
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   for (const double factor : {-1.0, nan, infinity, -infinity})
   {
-    FieldOptions options;
-    options.regularization = factor;
-    EXPECT_THROW(fieldOf(sphereCloud(10), options), winding::Refusal) << factor;
+    EXPECT_THROW(fieldOf(sphereCloud(10), &FieldOptions::regularization, factor), winding::Refusal)
+      << factor;
   }
   FieldOptions one, other;
   other.regularization = 1;

@@ -354,9 +354,7 @@ TEST(Verify, CountsSamplesAtPointsOfACloudApartUnlessTheyAreRegularized)
   }
   for (const double regularization : {0.0, 1.0})
   {
-    winding::FieldOptions options;
-    options.regularization = regularization;
-    const auto field = fieldOf(cloud, options);
+    const auto field = fieldOf(cloud, &winding::FieldOptions::regularization, regularization);
     const Verification found = verifyWith(*field, grid, grid.wholeExtent(), unchanged);
     EXPECT_LT(found.everywhere.max, 1e-3);
     EXPECT_LT(found.nearSurface.max, 1e-3);

@@ -3,14 +3,13 @@
 #include "source/Grid.h"
 
 #include "base/Bounds.h"
-#include "base/Refusal.h"
 #include "support/Samples.h"
 
 #include "support/Named.h"
+#include "support/Refusals.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -21,8 +20,8 @@ using shapes::Point;
 using winding::Bounds;
 using winding::Grid;
 using winding::GridRequest;
-using winding::setUpGrid;
 using winding::Parameter;
+using winding::setUpGrid;
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -44,18 +43,7 @@ GridRequest overSome()
 void expectRefused(
   const GridRequest& request, const std::string& mention, std::optional<Parameter> parameter = {})
 {
-  try
-  {
-    setUpGrid(request);
-    FAIL() << "not refused, though " << mention;
-  }
-  catch (const winding::Refusal& refusal)
-  {
-    const std::string message = refusal.what();
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    EXPECT_NE(message.find(mention), std::string::npos) << message;
-    EXPECT_TRUE(!parameter || isNamed(refusal.message(), *parameter)) << message;
-  }
+  shapes::expectRefused([&] { setUpGrid(request); }, mention, parameter);
 }
 
 } // namespace

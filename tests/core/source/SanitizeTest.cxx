@@ -7,6 +7,7 @@
 #include "source/Surface.h"
 
 #include "base/Refusal.h"
+#include "support/Refusals.h"
 #include "support/Serial.h"
 #include "support/Shapes.h"
 #include "support/ShuffledThreads.h"
@@ -43,19 +44,9 @@ void expectSame(const winding::Surface& a, const winding::Surface& b)
   EXPECT_EQ(a.triangles, b.triangles);
 }
 
-template <class Views> void expectRefused(const Views& views, const std::string& mention)
+template <class Views> void expectUnusable(const Views& views, const std::string& mention)
 {
-  try
-  {
-    sanitize(views);
-    FAIL() << "not refused";
-  }
-  catch (const winding::Refusal& refusal)
-  {
-    const std::string message = refusal.what();
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    EXPECT_NE(message.find(mention), std::string::npos) << message;
-  }
+  shapes::expectRefused([&] { sanitize(views); }, mention);
 }
 
 } // namespace
@@ -201,7 +192,7 @@ TEST(SanitizeSurface, RefusesWhatIsBadAltogetherAndTakesWhatIsEmpty)
   Mesh mesh = cube();
   mesh.points.assign(8, {notANumber, 0, 0});
   mesh.triangles.push_back({0, 1, 99});
-  expectRefused(std::vector<TrianglesView>{mesh.view()}, "all 13 triangles");
+  expectUnusable(std::vector<TrianglesView>{mesh.view()}, "all 13 triangles");
   EXPECT_TRUE(sanitize(std::vector<TrianglesView>()).bounds.isEmpty());
   EXPECT_TRUE(sanitized(Mesh()).triangles.empty());
   const Mesh point{{{1, 1, 1}}, {{0, 0, 0}}};
@@ -285,11 +276,11 @@ TEST(SanitizeCloud, TakesNormalsWithoutDirectionsForNone)
 TEST(SanitizeCloud, RefusesWhatIsBadAltogetherAndArraysOfDifferentLengths)
 {
   const std::vector<double> nans(12, std::nan("")), ones(12, 1);
-  expectRefused(std::vector<OrientedPointsView>{{{nans.data(), 4}, {ones.data(), 4}, {}}},
+  expectUnusable(std::vector<OrientedPointsView>{{{nans.data(), 4}, {ones.data(), 4}, {}}},
     "all points are unusable: give points with a place; of 4, 4 have NaN");
-  expectRefused(
+  expectUnusable(
     std::vector<OrientedPointsView>{{{ones.data(), 4}, {ones.data(), 3}, {}}}, "3 normals");
-  expectRefused(
+  expectUnusable(
     std::vector<OrientedPointsView>{{{ones.data(), 4}, {ones.data(), 4}, {ones.data(), 5}}},
     "5 areas");
   EXPECT_TRUE(sanitize(std::vector<OrientedPointsView>()).positions.empty());
@@ -339,10 +330,10 @@ TEST(SanitizeSurface, RefusesCoordinatesOutOfRangeWithTheValueAndTheNumberOfTheP
     place << "point 3 lies at " << mesh.points[3][0] << " " << bad << " " << mesh.points[3][2]
           << ";";
     const std::vector<TrianglesView> one{mesh.view()};
-    expectRefused(one, place.str());
+    expectUnusable(one, place.str());
     EXPECT_THROW(winding::boundsOf(one), winding::Refusal);
     const Mesh good = cube();
-    expectRefused(std::vector<TrianglesView>{good.view(), mesh.view()}, "point 3 of part 1 lies");
+    expectUnusable(std::vector<TrianglesView>{good.view(), mesh.view()}, "point 3 of part 1 lies");
     mesh.points[3][2] = notANumber;
     EXPECT_GT(sanitized(mesh).nonFiniteTriangles, 0u) << "such points are left out";
   }
@@ -374,12 +365,12 @@ TEST(SanitizeSurface, RefusesWhatIsTooSmallUnlessItIsOnePlace)
     return cube({0, 0, 0}, {size, size / 2, size / 4});
   };
   const Mesh small = ofSize(9.9e-101);
-  expectRefused(std::vector<TrianglesView>{small.view()}, "a length of 9.9e-101 along");
+  expectUnusable(std::vector<TrianglesView>{small.view()}, "a length of 9.9e-101 along");
   EXPECT_THROW(winding::boundsOf(std::vector<TrianglesView>{small.view()}), winding::Refusal);
   EXPECT_EQ(sanitized(ofSize(1e-100)).triangles.size(), 12u);
   EXPECT_EQ(sanitized(ofSize(0)).triangles.size(), 0u);
   const Cloud two{{{0, 0, 0}, {0, 1e-150, 0}}, {{0, 0, 1}, {0, 0, 1}}};
-  expectRefused(std::vector<OrientedPointsView>{two.view()}, "a length of 1e-150 along");
+  expectUnusable(std::vector<OrientedPointsView>{two.view()}, "a length of 1e-150 along");
   const Cloud one{{{0, 1e-150, 0}, {0, 1e-150, 0}}, {{0, 0, 1}, {0, 0, 1}}};
   EXPECT_EQ(clean(one).positions.size(), 2u);
 }
@@ -392,7 +383,7 @@ TEST(SanitizeCloud, RefusesPositionsOutOfRangeWhateverTheNormals)
     cloud.positions[17] = {0.5, -1e300, 0.25};
     cloud.normals[17] = {normal, 0, 0};
     const std::vector<OrientedPointsView> views{cloud.view()};
-    expectRefused(views, "point 17 lies at 0.5 -1e+300 0.25;");
+    expectUnusable(views, "point 17 lies at 0.5 -1e+300 0.25;");
     EXPECT_THROW(winding::boundsOf(views), winding::Refusal);
     cloud.positions[17][0] = notANumber;
     EXPECT_EQ(clean(cloud).nonFinitePoints, 1u);
@@ -409,9 +400,9 @@ TEST(SanitizeCloud, RefusesAreasOutOfRangeWithTheValueAndTheNumberOfThePoint)
   };
   const std::vector<Point> wide = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}, place(3, Point(1, 2, 3));
   EXPECT_EQ(sanitize(viewOf(wide, {1, 4e30, 0})).areas[1], 4e30);
-  expectRefused(viewOf(wide, {1, 4.1e30, 0}), "point 1 has the area 4.1e+30; areas");
-  expectRefused(viewOf(wide, {1, 1, 1.7e308}), "point 2 has the area 1.7e+308; areas");
+  expectUnusable(viewOf(wide, {1, 4.1e30, 0}), "point 1 has the area 4.1e+30; areas");
+  expectUnusable(viewOf(wide, {1, 1, 1.7e308}), "point 2 has the area 1.7e+308; areas");
   EXPECT_EQ(sanitize(viewOf(place, {1, 1e210, 0})).areas[1], 1e210);
-  expectRefused(viewOf(place, {1.1e210, 1, 0}), "point 0 has the area 1.1e+210; areas");
+  expectUnusable(viewOf(place, {1.1e210, 1, 0}), "point 0 has the area 1.1e+210; areas");
   EXPECT_EQ(winding::largestArea({Point(-1e100, 0, 0), Point(1e100, 0, 0)}), 1e210);
 }

@@ -332,9 +332,7 @@ TEST(Mirror, GivesCloudsTheirOtherHalf)
       half.normals.push_back(all.normals[i]);
     }
   }
-  FieldOptions options;
-  options.mirror = "y=0";
-  const auto field = fieldOf(half, options);
+  const auto field = fieldOf(half, &FieldOptions::mirror, "y=0");
   EXPECT_EQ(field->info().primitives, 2 * half.positions.size() - 1) << "one is in the plane";
   const std::vector<double> values =
     valuesAt(*field, {{0, 0, 0}, {0, -0.5, 0}, {0, 0.5, 0}, {0, -2, 0}, {0, 2, 0}});
@@ -505,9 +503,8 @@ TEST(FlatBase, ClosesTheLowerOpeningOfVessels)
     const Mesh vessel = lathe(profile, 24);
     const Motion motion = Motion::random(random);
     const bool hasGap = trial % 3 == 0;
-    FieldOptions options;
-    options.flatBase = hasGap ? motion.plane({0, 0, 1}, -0.25) : motion.direction({0, 0, -1});
-    const auto field = fieldOf(shuffled(vessel, random).mapped(motion), options);
+    const auto field = fieldOf(shuffled(vessel, random).mapped(motion), &FieldOptions::flatBase,
+      hasGap ? motion.plane({0, 0, 1}, -0.25) : motion.direction({0, 0, -1}));
     EXPECT_EQ(field->info().netBoundaryEdges, 24u) << trial;
     EXPECT_EQ(field->info().warnings.size(), 1u) << trial;
     const double low = hasGap ? -0.2 : 0.05;
@@ -524,9 +521,7 @@ TEST(FlatBase, TakesTheSenseOfFacesFromOpeningsNextToIt)
   for (const double above : {0.3, 0.8, 1.0, 1.3, 2.0})
   {
     const Mesh inward = lathe({{1, 0}, {above, 2}}, 24).reversed();
-    FieldOptions options;
-    options.flatBase = "z=-0.5";
-    const auto field = fieldOf(inward, options);
+    const auto field = fieldOf(inward, &FieldOptions::flatBase, "z=-0.5");
     EXPECT_EQ(field->info().netBoundaryEdges, 24u) << above;
     EXPECT_LT(valuesAt(*field, {{0, 0, -0.25}})[0], -0.5) << above;
   }
@@ -541,9 +536,9 @@ TEST(FlatBase, TakesTheSenseOfFacesFromOpeningsNextToIt)
     }
     Mesh holed = dome.reversed();
     holed.triangles.erase(holed.triangles.begin() + static_cast<std::ptrdiff_t>(low));
-    FieldOptions options;
-    options.flatBase = "z=-1.2";
-    EXPECT_LT(valuesAt(*fieldOf(holed, options), {{0.5, 0, -0.9}})[0], -0.5) << p.transpose();
+    EXPECT_LT(
+      valuesAt(*fieldOf(holed, &FieldOptions::flatBase, "z=-1.2"), {{0.5, 0, -0.9}})[0], -0.5)
+      << p.transpose();
   }
   const Mesh crater = lathe({{0.2, 0}, {1.5, 0.5}, {2, 1}, {4, 0.2}}, 24).reversed();
   FieldOptions options;
@@ -565,10 +560,10 @@ TEST(FlatBase, LeavesCupsAlone)
   for (const double height : {0.3, 1.0, 3.0})
   {
     const Motion motion = Motion::random(random);
-    FieldOptions options;
-    options.flatBase = motion.plane({0, 0, 1}, -2);
     const Mesh cup = lathe({{0, 0}, {1, 0}, {1.1, height}}, 24);
-    EXPECT_EQ(fieldOf(cup.mapped(motion), options)->info().netBoundaryEdges, 24u) << height;
+    const auto field =
+      fieldOf(cup.mapped(motion), &FieldOptions::flatBase, motion.plane({0, 0, 1}, -2));
+    EXPECT_EQ(field->info().netBoundaryEdges, 24u) << height;
   }
 }
 
@@ -648,9 +643,7 @@ TEST(FlatBase, ClosesRingsInTheirPlane)
   EXPECT_EQ(found.closed, 2u);
   EXPECT_EQ(netBoundary(surface), 0u);
   EXPECT_TRUE(isClean(surface));
-  FieldOptions options;
-  options.flatBase = "z=0";
-  const auto field = fieldOf(half, options);
+  const auto field = fieldOf(half, &FieldOptions::flatBase, "z=0");
   const std::vector<double> values = valuesAt(*field, {{0, 0, 0.1}, {1, 0, 0.1}, {0, 1, -0.1}});
   EXPECT_EQ(values, (std::vector<double>{0, 1, 0}));
   // No triangle of the base spans the hole: the nearest point of the ring is 0.6 away.
@@ -942,10 +935,8 @@ TEST(FlatBase, SaysWhatItLeavesAndCuts)
 {
   const auto warningsOf = [](const Mesh& mesh, const std::string& base)
   {
-    FieldOptions options;
-    options.flatBase = base;
     std::string all;
-    const auto field = fieldOf(mesh, options);
+    const auto field = fieldOf(mesh, &FieldOptions::flatBase, base);
     for (const winding::Message& message : field->info().warnings)
     {
       all += message.fault + "; " + message.facts + "; ";

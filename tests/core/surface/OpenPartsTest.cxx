@@ -158,9 +158,7 @@ TEST(OpenParts, AFieldLeavesThemOutIfItIsAskedTo)
 {
   const Mesh box = cube({-1, -1, -1}, {1, 1, 1}).with(square(0.9, 0));
   const double places[6] = {0.1, 0, 0, -0.1, 0, 0};
-  winding::FieldOptions options;
-  options.ignoreOpenParts = true;
-  const auto field = fieldOf(box, options);
+  const auto field = fieldOf(box, &winding::FieldOptions::ignoreOpenParts, true);
   float w[2] = {};
   winding::FieldOutput output;
   output.values = w;

@@ -419,9 +419,7 @@ TEST(RepeatedFaces, BoxesOfABlockAreSolidsWhateverIsWrongWithThem)
                                    : withRepeated(box, 0, 12, random(0, 1) < 0.5));
     }
     mesh = shuffled(mesh, random);
-    winding::FieldOptions options;
-    options.orientFaces = true;
-    const auto field = fieldOf(mesh, options);
+    const auto field = fieldOf(mesh, &winding::FieldOptions::orientFaces, true);
     std::vector<float> w(places.size());
     winding::FieldOutput output;
     output.values = w.data();
