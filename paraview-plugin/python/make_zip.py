@@ -16,13 +16,18 @@ import zipfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
+sys.path.insert(0, str(ROOT / "python"))
+from header import structs_for_python  # noqa: E402
+
 # Of the package for Python: what is for PyVista alone.
 LEFT_OUT = ("_images", "_progress", "_voxels", "accessor")
 BUILT = '''"""The versions that this package was built as and for. Written by make_zip.py."""
 
 VERSION = "{version}"
 LIBRARY = "{library}"
-'''
+
+# The structs of winding.h with the declarations of their members, in order.
+{structs}'''
 
 
 def version():
@@ -51,7 +56,9 @@ def contents(library, licences):
     for path in sorted((ROOT / "python/vtkwinding").glob("*.py")):
         if path.stem not in LEFT_OUT:
             yield f"vtkwinding/{path.name}", path.read_bytes()
-    yield "vtkwinding/_built.py", BUILT.format(version=version(), library=name_of(library))
+    structs = structs_for_python(ROOT / "filters/c/winding.h")
+    yield "vtkwinding/_built.py", BUILT.format(
+        version=version(), library=name_of(library), structs=structs)
     yield f"vtkwinding/{name_of(library)}", pathlib.Path(library).read_bytes()
     for licence in licences:
         yield f"licenses/{pathlib.Path(licence).name}", pathlib.Path(licence).read_bytes()

@@ -3,20 +3,21 @@
 """libwinding, by ctypes: its structs, and calls that raise, warn, show progress and heed Ctrl-C.
 
 The library has no Python in it, so one build serves all versions of Python. winding.h says what the
-functions do; the structs here have its members in its order.
+functions do; the structs here are made of its declarations.
 """
 
 import contextlib
 import ctypes
 import os
 import pathlib
+import re
 import sys
 import threading
 import warnings
 
 import numpy as np
 
-from ._built import LIBRARY
+from ._built import LIBRARY, STRUCTS
 from ._errors import (
     WindingError,
     WindingInterrupted,
@@ -39,26 +40,6 @@ _Progress = ctypes.CFUNCTYPE(_int32, _double, ctypes.c_void_p)
 _Warn = ctypes.CFUNCTYPE(None, ctypes.c_char_p, ctypes.c_void_p)
 
 
-class Refusal(ctypes.Structure):
-    _fields_ = [("parameter", ctypes.c_char * 32), ("text", ctypes.c_char * 992)]
-
-
-class Array(ctypes.Structure):
-    _fields_ = [("data", ctypes.c_void_p), ("rows", _int64), ("stride", _int64), ("type", _int32)]
-
-
-class Polygons(ctypes.Structure):
-    _fields_ = [("corners", Array), ("offsets", Array)]
-
-
-class Cells(ctypes.Structure):
-    _fields_ = [("types", Array), ("corners", Array), ("offsets", Array)]
-
-
-class Grid(ctypes.Structure):
-    _fields_ = [("origin", _double * 3), ("spacing", _double * 3), ("dimensions", _int32 * 3)]
-
-
 class Sized(ctypes.Structure):
     """A struct that begins with its size, filled with the defaults of the library."""
 
@@ -66,161 +47,47 @@ class Sized(ctypes.Structure):
         super().__init__()
         getattr(_library, self._init_)(ctypes.byref(self), ctypes.sizeof(self))
         for name, value in members.items():
+            if isinstance(value, ctypes.Array):
+                self.kept, value = value, ctypes.addressof(value)
             setattr(self, name, value)
 
 
-class Run(Sized):
-    _init_ = "winding_run_init"
-    _fields_ = [("size", ctypes.c_uint32), ("number_of_threads", _int32), ("words", _int32),
-                ("progress", _Progress), ("warn", _Warn), ("user", ctypes.c_void_p),
-                ("interval", _double), ("longest_expected_time", _double),
-                ("free_memory", _double)]
+_MEMBERS = {"double": _double, "int32_t": _int32, "int64_t": _int64, "uint32_t": ctypes.c_uint32,
+            "char": ctypes.c_char, "progress": _Progress, "warn": _Warn}
 
 
-class Options(Sized):
-    _init_ = "winding_options_init"
-    _fields_ = [("size", ctypes.c_uint32), ("method", _int32), ("tolerance", _double),
-                ("regularization", _double), ("point_area", _double),
-                ("number_of_neighbors", _int32), ("estimate_normals", _int32),
-                ("normal_estimation", _int32), ("orient_faces", _int32),
-                ("ignore_open_parts", _int32), ("scattered", _int32),
-                ("source_as_points", _int32), ("mean_point_area", _int32),
-                ("toward", ctypes.c_char_p), ("mirror", ctypes.c_char_p),
-                ("flat_base", ctypes.c_char_p), ("sheet_side", ctypes.c_char_p),
-                ("weld_tolerance", _double), ("frame", ctypes.POINTER(_double))]
+def _member(declaration):
+    """Returns the name and the type of a member, by its declaration in C."""
+    function = re.search(r"\(\*(\w+)\)\(", declaration)
+    if function:
+        return function[1], _MEMBERS[function[1]]
+    kind, pointers, name, count = re.fullmatch(
+        r"(?:const )?(\w+)((?:\*(?: const)?)*) (\w+)(?:\[(\d+)\])?", declaration).groups()
+    if pointers:
+        return name, ctypes.c_char_p if (kind, pointers) == ("char", "*") else ctypes.c_void_p
+    member = _MEMBERS[kind]
+    return name, member * int(count) if count else member
 
 
-class FieldInfo(Sized):
-    _init_ = "winding_field_info_init"
-    _fields_ = [("size", ctypes.c_uint32), ("method", _int32), ("is_surface", _int32),
-                ("normals_estimated", _int32), ("primitives", _int64), ("dropped", _int64),
-                ("boundary_edges", _int64), ("net_boundary_edges", _int64),
-                ("bounds", _double * 6), ("mean_point_area", _double), ("clear_share", _double),
-                ("normal_estimation", _int32), ("reason", ctypes.c_char * 260),
-                ("has_no_sides", _int32), ("is_wide_open", _int32)]
+def _struct(name):
+    """Returns the class of the struct "winding_" and a name."""
+    members = [_member(declaration) for declaration in STRUCTS[name]]
+    is_sized = members[0][0] == "size"
+    made = type(name, (Sized if is_sized else ctypes.Structure,), {
+        "__doc__": f"winding_{name} of winding.h.", "_init_": f"winding_{name}_init",
+        "_fields_": members})
+    _MEMBERS[f"winding_{name}"] = made
+    return made
 
 
-class GridRequest(Sized):
-    _init_ = "winding_grid_request_init"
-    _fields_ = [("size", ctypes.c_uint32), ("resolution", _int32), ("voxel_size", _double),
-                ("sampling_dimensions", _int32 * 3), ("sampling_bounds", _double * 6),
-                ("padding", _double), ("cubic", _int32)]
-
-
-class Rule(Sized):
-    _init_ = "winding_rule_init"
-    _fields_ = [("size", ctypes.c_uint32), ("inside_rule", _int32), ("winding_threshold", _double)]
-
-
-class Values(Sized):
-    _init_ = "winding_values_init"
-    _fields_ = [("size", ctypes.c_uint32), ("type", _int32), ("winding", ctypes.c_void_p),
-                ("inside", ctypes.c_void_p), ("distance", ctypes.c_void_p),
-                ("gradient", ctypes.c_void_p), ("fractions", ctypes.c_void_p),
-                ("distance_limit", _double), ("coverage", _int32), ("coverage_samples", _int32),
-                ("inside_count", _int64), ("without_advice", _int32),
-                ("united", ctypes.c_void_p)]
-
-
-class MeshArrays(Sized):
-    _init_ = "winding_mesh_arrays_init"
-    _fields_ = [("size", ctypes.c_uint32), ("type", _int32), ("point_count", _int64),
-                ("polygon_count", _int64), ("corner_count", _int64), ("points", ctypes.c_void_p),
-                ("offsets", ctypes.c_void_p), ("corners", ctypes.c_void_p),
-                ("point_normals", ctypes.c_void_p), ("normals_type", _int32),
-                ("polygon_normals", ctypes.c_void_p), ("point_areas", ctypes.c_void_p),
-                ("labels", ctypes.c_void_p), ("numbers", ctypes.c_void_p),
-                ("column_count", _int64), ("line_count", _int64),
-                ("line_offsets", ctypes.c_void_p), ("line_corners", ctypes.c_void_p),
-                ("vertex_count", _int64), ("vertex_offsets", ctypes.c_void_p),
-                ("vertex_corners", ctypes.c_void_p), ("colors", ctypes.c_void_p),
-                ("color_components", _int32), ("texture_coordinates", ctypes.c_void_p),
-                ("regions_count", _int64), ("slit_widths", ctypes.c_void_p),
-                ("distances_from", _int32), ("filled_cavities", _int64),
-                ("sample_count", _int64), ("inside", ctypes.c_void_p)]
-
-
-class Column(Sized):
-    _init_ = "winding_column_init"
-    _fields_ = [("size", ctypes.c_uint32), ("name", ctypes.c_char_p),
-                ("numbers", ctypes.c_void_p), ("texts", ctypes.POINTER(ctypes.c_char_p))]
-
-
-class RegionNames(Sized):
-    _init_ = "winding_regions_init"
-    _fields_ = [("size", ctypes.c_uint32), ("kind", ctypes.c_char_p), ("count", _int64),
-                ("names", ctypes.POINTER(ctypes.c_char_p)), ("of_polygon", ctypes.c_void_p)]
-
-
-class Verification(Sized):
-    _init_ = "winding_verification_init"
-    _fields_ = [("size", ctypes.c_uint32), ("samples", _int64), ("max_error", _double),
-                ("rms_error", _double), ("near_source", _int64), ("near_max_error", _double)]
-
-
-class LabelOptions(Sized):
-    _init_ = "winding_label_options_init"
-    _fields_ = [("size", ctypes.c_uint32), ("overlap_rule", _int32), ("coverage", _int32),
-                ("coverage_samples", _int32), ("have_one_unit", _int32)]
-
-
-class Labels(Sized):
-    _init_ = "winding_labels_init"
-    _fields_ = [("size", ctypes.c_uint32), ("labels", ctypes.c_void_p),
-                ("counts", ctypes.c_void_p), ("first_labels", ctypes.c_void_p),
-                ("first_shares", ctypes.c_void_p), ("second_labels", ctypes.c_void_p),
-                ("second_shares", ctypes.c_void_p), ("shares", ctypes.c_void_p),
-                ("names", ctypes.c_void_p), ("are_open", ctypes.c_void_p)]
-
-
-class Estimate(Sized):
-    _init_ = "winding_estimate_init"
-    _fields_ = [("size", ctypes.c_uint32), ("normal_estimation", _int32),
-                ("clear_share", _double)]
-
-
-class Fidelity(Sized):
-    _init_ = "winding_fidelity_init"
-    _fields_ = [("size", ctypes.c_uint32), ("samples", _int64),
-                ("largest_from_source", _double), ("mean_from_source", _double),
-                ("largest_to_source", _double), ("mean_to_source", _double),
-                ("source_volume", _double), ("volume", _double), ("components", _int64),
-                ("lost_components", _int64), ("self_intersections", _int64),
-                ("largest_shape_error", _double), ("mean_shape_error", _double)]
-
-
-class SurfaceOptions(Sized):
-    _init_ = "winding_surface_options_init"
-    _fields_ = [("size", ctypes.c_uint32), ("features", _int32), ("generate_triangles", _int32),
-                ("close_border", _int32), ("generate_normals", _int32), ("type", _int32),
-                ("fill_cavities", _int32), ("shell_side", _int32), ("offset", _double),
-                ("shell", _double), ("generate_image", _int32), ("names", ctypes.c_void_p)]
-
-
-class Report(Sized):
-    _init_ = "winding_report_init"
-    _fields_ = [("size", ctypes.c_uint32), ("closed", _int32), ("triangles", _int64),
-                ("vertices", _int64), ("vertices_merged", _int64), ("edges", _int64),
-                ("boundary_edges", _int64), ("boundary_loops", _int64),
-                ("nonmanifold_edges", _int64), ("inconsistent_edges", _int64),
-                ("net_boundary_edges", _int64), ("components_vertex", _int64),
-                ("components_edge", _int64), ("closed_components", _int64),
-                ("inverted_components", _int64), ("nested_solids", _int64),
-                ("one_sided_components", _int64), ("open_parts_inside", _int64),
-                ("duplicate_faces", _int64), ("degenerate", _int64), ("zero_area", _int64),
-                ("unreferenced_vertices", _int64), ("euler", _int64), ("volume", _double),
-                ("area", _double), ("fractional_share", _double), ("bbox", _double * 6),
-                ("non_finite", _int64), ("invalid_ids", _int64), ("widest_slit", _double)]
-
-
-class CloudReport(Sized):
-    _init_ = "winding_cloud_report_init"
-    _fields_ = [("size", ctypes.c_uint32), ("normals", _int32), ("points", _int64),
-                ("duplicates", _int64), ("zero_normals", _int64), ("non_unit_normals", _int64),
-                ("non_finite", _int64), ("spacing_min", _double), ("spacing_median", _double),
-                ("spacing_mean", _double), ("spacing_max", _double),
-                ("opposite_neighbors", _double), ("w_behind", _double), ("w_before", _double),
-                ("outward_share", _double), ("inward_share", _double), ("bbox", _double * 6)]
+Refusal, Run, Array, Polygons, Options, FieldInfo, Grid, GridRequest, Rule, Values, Cells = map(
+    _struct, ("refusal", "run", "array", "polygons", "options", "field_info", "grid",
+              "grid_request", "rule", "values", "cells"))
+Verification, MeshArrays, SurfaceOptions, LabelOptions, Labels, Report = map(
+    _struct, ("verification", "mesh_arrays", "surface_options", "label_options", "labels",
+              "report"))
+Fidelity, CloudReport, Estimate, Column, RegionNames = map(
+    _struct, ("fidelity", "cloud_report", "estimate", "column", "regions"))
 
 
 def _load():
@@ -427,9 +294,10 @@ def _regions_of(mesh, arrays):
         one = RegionNames()
         call("winding_mesh_regions", mesh.pointer, _int64(index), ctypes.byref(one))
         pointer = ctypes.cast(one.of_polygon, ctypes.POINTER(_int32))
+        names = ctypes.cast(one.names, ctypes.POINTER(ctypes.c_char_p))
         found[one.kind.decode()] = Regions(
             np.ctypeslib.as_array(pointer, (arrays.polygon_count,)).copy(),
-            [one.names[number].decode(errors="replace") for number in range(one.count)])
+            [names[number].decode(errors="replace") for number in range(one.count)])
     return found
 
 
@@ -442,7 +310,8 @@ def columns_of(mesh, count):
         call("winding_mesh_column", mesh.pointer, _int64(index), ctypes.byref(column))
         rows = points.point_count
         if column.texts:
-            values = [column.texts[row].decode(errors="replace") for row in range(rows)]
+            texts = ctypes.cast(column.texts, ctypes.POINTER(ctypes.c_char_p))
+            values = [texts[row].decode(errors="replace") for row in range(rows)]
         else:
             values = np.ctypeslib.as_array(
                 ctypes.cast(column.numbers, ctypes.POINTER(_double)), (rows,)).copy() if rows else (

@@ -14,11 +14,10 @@ import subprocess
 import sys
 import tempfile
 
-KEPT = pathlib.Path(__file__).resolve().parent / "interface_1.txt"
-
-
-def text_of(header):
-    return re.sub(r"/\*.*?\*/", "", header.read_text(encoding="utf-8"), flags=re.DOTALL)
+HERE = pathlib.Path(__file__).resolve().parent
+KEPT = HERE / "interface_1.txt"
+sys.path.insert(0, str(HERE.parents[1] / "python"))
+from header import structs_in, text_of  # noqa: E402
 
 
 def functions_in(text):
@@ -31,17 +30,6 @@ def constants_in(text):
         yield f"constant {name} {value}"
     for name, value in re.findall(r"^#define (WINDING_\w+) (-?\d+)$", text, re.MULTILINE):
         yield f"constant {name} {value}"
-
-
-def structs_in(text):
-    """The names of structs, with the declarations of their members by names, in order."""
-    for name, body in re.findall(r"typedef struct (\w+)\s*\{(.*?)\}\s*\1;", text, re.DOTALL):
-        members = {}
-        for declaration in filter(str.strip, body.split(";")):
-            pointer = re.search(r"\(\*\s*(\w+)\)\s*\(", declaration)
-            member = pointer or re.search(r"(\w+)\s*(\[[^\]]*\]\s*)*$", declaration)
-            members[member[1]] = " ".join(declaration.split())
-        yield name, members
 
 
 def places_of(structs, header, compiler):

@@ -3,6 +3,7 @@
 """How functions run: errors, warnings, Ctrl-C and threads."""
 
 import copy
+import ctypes
 import os
 import pathlib
 import signal
@@ -283,6 +284,25 @@ class ForkTest(unittest.TestCase):
             os.kill(child, signal.SIGKILL)
             os.waitpid(child, 0)
         self.assertEqual(status, 0)
+
+
+class StructsTest(unittest.TestCase):
+    """The structs of ctypes lie in memory as a compiler of C has them."""
+
+    @unittest.skipUnless(sys.maxsize > 2**32, "places are listed for addresses of 64 bits")
+    def test_members_are_where_c_has_them(self):
+        listed = pathlib.Path(__file__).resolve().parents[1] / "c/interface_1.txt"
+        found = 0
+        for line in listed.read_text(encoding="utf-8").splitlines():
+            kind, name, *numbers = line.split()
+            struct = _library._MEMBERS.get(name.split(".")[0])
+            if kind == "member":
+                member = getattr(struct, name.split(".")[1])
+                self.assertEqual([member.offset, member.size], list(map(int, numbers[:2])), line)
+                found += 1
+            elif kind == "struct":
+                self.assertEqual(ctypes.sizeof(struct), int(numbers[0]), line)
+        self.assertGreater(found, 150)
 
 
 if __name__ == "__main__":
