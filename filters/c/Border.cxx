@@ -88,6 +88,15 @@ Ids::Ids(const winding_array& array, std::int64_t width, const char* name)
   }
 }
 
+IdsView idsOf(const winding_array& array, const char* name)
+{
+  const Ids checked(array, 1, name);
+  const auto stride = static_cast<std::size_t>(std::max<std::int64_t>(array.stride, 1));
+  return array.type == WINDING_INT32
+           ? IdsView(static_cast<const std::int32_t*>(array.data), checked.rows(), stride)
+           : IdsView(static_cast<const std::int64_t*>(array.data), checked.rows(), stride);
+}
+
 void copyText(const std::string& text, char* to, std::size_t size)
 {
   std::size_t length = std::min(text.size(), size - 1);

@@ -10,6 +10,7 @@
 #include "base/Refusal.h"
 #include "base/Views.h"
 #include "field/Field.h"
+#include "mesh/MeshSkin.h"
 #include "messages/Options.h"
 #include "source/Grid.h"
 #include "tasks/Task.h"
@@ -110,6 +111,7 @@ winding_rule defaultRule();
 /// argument's. An array of no rows is empty.
 VectorsView vectorsOf(const winding_array& array, const char* name);
 ScalarsView scalarsOf(const winding_array& array, const char* name);
+IdsView idsOf(const winding_array& array, const char* name);
 ///@}
 
 /// An array of ids of either type.

@@ -471,8 +471,8 @@ extern "C"
   {
     /**
      * Rows of one WINDING_UINT8 with VTK's numbers: 10 tetrahedron, 11 voxel, 12 hexahedron,
-     * 13 wedge, 14 pyramid, 15 and 16 prisms of five and six sides, 42 polyhedron. Surfaces, lines
-     * and points have no volume. No gaps.
+     * 13 wedge, 14 pyramid, 15 and 16 prisms of five and six sides, 42 polyhedron, and others up to
+     * Lagrange and Bézier cells. Surfaces, lines and points have no volume. No gaps.
      */
     winding_array types;
     /**
@@ -499,13 +499,145 @@ extern "C"
    * @param run null for the defaults
    * @param refusal receives why the call was refused, unless it is null
    *
-   * Warns of cells without volume, of polyhedra with a face that is missing or turned, and of cells
-   * that are not finite. Refuses cells with too few points, ids of points that do not exist, and
-   * other types, as of curved cells: give these as straight ones between their corners.
+   * Warns of curved cells, which count as straight between their corners, of cells without volume,
+   * of polyhedra with a face that is missing or turned, and of cells that are not finite. Refuses
+   * cells with too few points, ids of points that do not exist, and unknown types.
    */
   WINDING_API winding_status winding_cell_fractions(const winding_field* field,
     winding_array points, const winding_cells* cells, const winding_rule* rule, float* fractions,
     const winding_run* run, winding_refusal* refusal);
+
+  /**
+   * Writes a sentence that front ends say of data sets.
+   *
+   * @param sentence its name in Sentences.def
+   * @param values texts in place of {0}, {1} and so on
+   * @param count how many there are
+   * @param run whose words it is to have; null for the defaults
+   * @param text receives the line, cut off where it is longer
+   * @param size bytes that text has
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_sentence(const char* sentence, const char* const* values,
+    size_t count, const winding_run* run, char* text, size_t size, winding_refusal* refusal);
+
+  /** Counts of cells whose part in a source may differ from what their owner expects. */
+  typedef struct winding_cell_counts
+  {
+    uint32_t size;    /**< bytes of the struct that its caller knows */
+    int64_t turned;   /**< cells with volume at the outer surface, ordered the other way round */
+    int64_t left_out; /**< cells of two dimensions where there are three, or the latter */
+    int64_t loose;    /**< lines and single points, where there are faces or cells with volume */
+    int64_t flat;     /**< cells with curved faces that no division brings near their shape */
+  } winding_cell_counts;
+
+  /**
+   * Fills a struct with the defaults.
+   *
+   * @param counts the struct; null is left alone
+   * @param size sizeof of the struct
+   */
+  WINDING_API void winding_cell_counts_init(winding_cell_counts* counts, size_t size);
+
+  /**
+   * Returns the dimension of cells of one of VTK's types, 0 to 3, or -1 for a type that VTK has no
+   * cells of.
+   *
+   * @param type the type
+   * @param is_curved receives 1 if the cells have edges that need not be straight lines, and 0 if
+   *   not, unless it is null
+   */
+  WINDING_API int32_t winding_cell_dimension(int32_t type, int32_t* is_curved);
+
+  /**
+   * Refuses cells that contradict themselves, before code follows them.
+   *
+   * @param cells the cells; without types, as in polydata, only their ids are checked
+   * @param faces by cell, the faces of polyhedra as corners have them; the corners of polyhedra are
+   *   then their points, as VTK has them. Null for faces in the corners
+   * @param degrees rows of three, by cell: the degrees of Lagrange and Bézier cells along their
+   *   axes; no rows for equal ones
+   * @param count how many cells there are to be
+   * @param points how many points there are
+   * @param first the number that messages have for the first cell
+   * @param name what messages call the data, as in "the source"
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_check_cells(const winding_cells* cells,
+    const winding_cells* faces, winding_array degrees, int64_t count, int64_t points,
+    int64_t first, const char* name, winding_refusal* refusal);
+
+  /**
+   * Says which cells make the surface of a mesh. Where there are cells of two and of three
+   * dimensions, one kind is left out.
+   *
+   * @param types rows of one WINDING_UINT8
+   * @param ghosts VTK's ghost flags of the cells, which make no surface; null for none
+   * @param surface_cells 1 to take cells of two dimensions, 0 for cells of three
+   * @param are_own receives 1 for each cell that is taken, and 0 for the others
+   * @param counts receives, added up, cells of the other kind and loose ones
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_choose_cells(winding_array types, const uint8_t* ghosts,
+    int32_t surface_cells, uint8_t* are_own, winding_cell_counts* counts,
+    winding_refusal* refusal);
+
+  /** The outer surface of a mesh, as VTK's vtkDataSetSurfaceFilter extracts it. */
+  typedef struct winding_skin
+  {
+    winding_array points;      /**< three coordinates in each row */
+    winding_polygons polygons; /**< over these points, with offsets */
+    winding_array owners;      /**< rows of one: by polygon, its cell in the mesh */
+    /**
+     * Rows of one: by point, the mesh's point that it is. No rows where curved faces were divided,
+     * whose points are new ones.
+     */
+    winding_array origins;
+  } winding_skin;
+
+  /**
+   * Says how often to halve the edges of curved faces, at most 5 times: until they are within a
+   * thousandth of the mesh's diagonal of their shape.
+   *
+   * @param once the skin with all curved edges halved once (SetNonlinearSubdivisionLevel(1))
+   * @param twice the skin with all curved edges halved twice
+   * @param cells how many cells the mesh has
+   * @param diagonal the diagonal of the mesh's box
+   * @param halvings receives the number
+   * @param counts receives, added up, cells that stay too far from their shape
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_halvings(const winding_skin* once, const winding_skin* twice,
+    int64_t cells, double diagonal, int32_t* halvings, winding_cell_counts* counts,
+    winding_refusal* refusal);
+
+  /**
+   * Turns the polygons of a skin away from their own cells, and leaves out seams: polygons with
+   * corners at the same places in opposite senses, between cells that share no points.
+   *
+   * @param points the mesh's, three coordinates in each row
+   * @param cells the mesh's; those that own no polygon may be empty
+   * @param skin the polygons
+   * @param corners receives the corners of the polygons that are kept: room for all
+   * @param offsets receives where each of these begins, and where the last one ends
+   * @param polygons receives their numbers in the skin
+   * @param kept receives how many there are
+   * @param counts receives, added up, cells that are turned
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_outward_polygons(winding_array points,
+    const winding_cells* cells, const winding_skin* skin, int64_t* corners, int64_t* offsets,
+    int64_t* polygons, int64_t* kept, winding_cell_counts* counts, winding_refusal* refusal);
+
+  /**
+   * Warns of cells that were counted: left out, loose, or flat.
+   *
+   * @param counts the counts
+   * @param run what takes the warnings
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_warn_of_cells(
+    const winding_cell_counts* counts, const winding_run* run, winding_refusal* refusal);
 
   /** The differences of values from the sum over all primitives, which is slow and exact. */
   typedef struct winding_verification

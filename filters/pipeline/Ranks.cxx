@@ -7,6 +7,7 @@
 #include "messages/Options.h"
 #include "pipeline/FreeMemory.h"
 #include "pipeline/HostShare.h"
+#include "tasks/Sentences.h"
 
 #include "vtkMultiProcessController.h"
 
@@ -182,7 +183,7 @@ void Ranks::requireSame(const std::function<Number()>& hashOfProperties)
 {
   if (!areEqual(this->allGather(hashOfProperties)))
   {
-    throw Refusal("set the same properties on all ranks: they differ, and so would the results");
+    throw Refusal(messageOf(Sentence::otherPropertiesOnRanks));
   }
 }
 

@@ -20,6 +20,7 @@
 #include "report/LabelFacts.h"
 #include "report/Verify.h"
 #include "source/Grid.h"
+#include "tasks/Sentences.h"
 #include "tasks/SurfaceTask.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -320,8 +321,7 @@ int vtkWindingNumberBoolean::RequestData(
   const unsigned int count = blocks->GetNumberOfBlocks();
   if (count < 2)
   {
-    throw winding::Refusal(winding::Message(
-      "there are fewer than two solids", {{"give another input, or several blocks", {}}}));
+    throw winding::Refusal(winding::messageOf(winding::Sentence::fewerThanTwoSolids));
   }
   if (this->TransferAttributes || this->GenerateNearestCells)
   {

@@ -16,6 +16,7 @@
 #include "private/source/SourceProperties.h"
 #include "source/Grid.h"
 #include "tasks/ResultNotes.h"
+#include "tasks/Sentences.h"
 #include "voxels/SampleBits.h"
 #include "voxels/VoxelEvaluation.h"
 
@@ -87,9 +88,7 @@ void vtkWindingNumberField::CheckUnion() const
 {
   if (this->GenerateNearestCells)
   {
-    throw winding::Refusal(winding::Message("nearest cells belong to one time of the input",
-      {{"", {{winding::Parameter::generateNearestCells, 0}}},
-        {"", {{winding::Parameter::unionOverAllTimes, 0}}}}));
+    throw winding::Refusal(winding::messageOf(winding::Sentence::nearestCellsOfTimes));
   }
 }
 

@@ -15,6 +15,7 @@
 #include "report/Verify.h"
 #include "source/Grid.h"
 #include "tasks/ResultNotes.h"
+#include "tasks/Sentences.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
@@ -171,7 +172,7 @@ void vtkWindingNumberGridAlgorithm::UpdateConnection(
   requests->SetInformationObject(port, request);
   if (!producer->Update(port, requests))
   {
-    throw winding::Refusal("look at the filter or reader before this one first: it failed");
+    throw winding::Refusal(winding::messageOf(winding::Sentence::producerFailed));
   }
 }
 
@@ -269,7 +270,7 @@ void vtkWindingNumberGridAlgorithm::AgreeOnTimes(const Times& times)
   };
   if (!winding::areEqual(this->GetRanks().allGather(hash)))
   {
-    throw winding::Refusal("give the source the same time steps on all ranks: they differ");
+    throw winding::Refusal(winding::messageOf(winding::Sentence::otherTimesOnRanks));
   }
 }
 
@@ -278,8 +279,7 @@ bool vtkWindingNumberGridAlgorithm::HasTimeSteps()
   const Times times = this->GetTimes();
   if (times.isContinuous)
   {
-    throw winding::Refusal(winding::Message("the input has a range of times, but no steps",
-      {{"give it steps", {}}, {"", {{winding::Parameter::unionOverAllTimes, 0}}}}));
+    throw winding::Refusal(winding::messageOf(winding::Sentence::noTimeSteps));
   }
   return !times.steps.empty();
 }
@@ -377,9 +377,7 @@ winding::GridRequest vtkWindingNumberGridAlgorithm::GetGridRequest(vtkDataObject
     request.bounds = toBounds(this->SamplingBounds);
     if (this->UseInputBounds && !isBox(request.bounds))
     {
-      throw winding::Refusal(winding::Message("the input is empty, and has no bounds",
-        {{"give an input with points", {}},
-          {"give bounds", {winding::Parameter::samplingBounds}}}));
+      throw winding::Refusal(winding::messageOf(winding::Sentence::noBounds));
     }
   }
   request.dimensions = Eigen::Vector3i(this->SamplingDimensions);
@@ -462,14 +460,11 @@ void vtkWindingNumberGridAlgorithm::CheckVerification(bool hasValues) const
 {
   if (this->VerifySamples > 0 && this->Method == PARITY)
   {
-    throw winding::Refusal(winding::Message("parity is no winding number to be verified",
-      {{"", {{winding::Parameter::method, AUTOMATIC}}},
-        {"verify no samples", {winding::Parameter::verifySamples}}}));
+    throw winding::Refusal(winding::messageOf(winding::Sentence::parityIsNotVerified));
   }
   if (this->VerifySamples > 0 && !hasValues)
   {
-    throw winding::Refusal(winding::Message("only winding numbers can be verified",
-      {{"", {{winding::Parameter::generateWindingNumber, 1}}}}));
+    throw winding::Refusal(winding::messageOf(winding::Sentence::onlyWindingIsVerified));
   }
 }
 

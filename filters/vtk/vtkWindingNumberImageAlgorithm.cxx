@@ -10,6 +10,7 @@
 #include "private/source/CellChecks.h"
 #include "private/source/ContentHash.h"
 #include "private/source/ImageGrid.h"
+#include "tasks/Sentences.h"
 #include "voxels/VoxelEvaluation.h"
 
 #include "vtkCellData.h"
@@ -128,10 +129,7 @@ void vtkWindingNumberImageAlgorithm::CheckLike(vtkImageData* image) const
         areSame(
           image->GetDirectionMatrix()->GetData(), this->Like->GetDirectionMatrix()->GetData(), 9)))
   {
-    throw winding::Refusal(winding::Message("the image lies elsewhere than announced",
-      {{"give it as data", {winding::Parameter::like}}},
-      "the filter or reader before it does not announce its extent, origin, spacing or "
-      "direction"));
+    throw winding::Refusal(winding::messageOf(winding::Sentence::imageLiesElsewhere));
   }
 }
 

@@ -17,6 +17,7 @@
 #include "report/Verify.h"
 #include "source/Grid.h"
 #include "tasks/LabelTask.h"
+#include "tasks/Sentences.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -234,8 +235,7 @@ void vtkWindingNumberLabels::UniteTimes(vtkImageData* all, vtkImageData* other)
   }
   else if (!legend.empty())
   {
-    throw winding::Refusal(winding::Message("the solids are others at another time of the input",
-      {{"", {{winding::Parameter::unionOverAllTimes, 0}}}}, "labels name one solid at all times"));
+    throw winding::Refusal(winding::messageOf(winding::Sentence::otherSolidsAtTimes));
   }
 }
 
@@ -311,28 +311,21 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
   }
   if (solids.areNumbered())
   {
-    vtkWarningMacro(<< winding::lineOf(
-                      {"labels are counted from 1, for regions are not all 1 to 65535",
-                        {{"choose another offset", {winding::Parameter::labelOffset}}},
-                        "names of the labels say which regions they are"}));
+    vtkWarningMacro(<< winding::lineOf(winding::messageOf(winding::Sentence::regionsAreNumbered)));
   }
   if (this->LabelOffset != 0 && count > 0 && !solids.areOffset())
   {
-    vtkWarningMacro(<< winding::lineOf({"labels are counted from 1, for solids have no numbers",
-                      {{"leave the offset out", {winding::Parameter::labelOffset}}}}));
+    vtkWarningMacro(<< winding::lineOf(winding::messageOf(winding::Sentence::solidsAreNumbered)));
   }
   if (!solids.dividingNames().empty())
   {
-    vtkWarningMacro(<< winding::lineOf(
-                      {"the file's own names divide solids, which are parts by connectivity",
-                        {{"label what has names", {winding::Parameter::regionArray}}},
-                        "the names belong to '" + solids.dividingNames() + "'"}));
+    vtkWarningMacro(<< winding::lineOf(winding::messageOf(
+                      winding::Sentence::namesDivideSolids, {solids.dividingNames()})));
   }
   if (solids.repeatedNames() > 0)
   {
-    vtkWarningMacro(<< "solids have equal names: give them different ones; "
-                    << solids.repeatedNames() << " of " << count
-                    << " got a number, for their names occurred before");
+    vtkWarningMacro(<< winding::lineOf(winding::messageOf(winding::Sentence::equalNames,
+                      {std::to_string(solids.repeatedNames()), std::to_string(count)})));
   }
 }
 

@@ -19,6 +19,7 @@
 #include "private/source/SourceMemory.h"
 #include "private/source/SourceProperties.h"
 #include "source/Sanitize.h"
+#include "tasks/Sentences.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -294,10 +295,10 @@ void vtkWindingNumberNormals::AddAreas(vtkDataObject* data, winding::Ranks& rank
   this->TotalArea = std::accumulate(areas.cbegin(), areas.cend(), 0.0);
   if (cloud.dropped() > 0)
   {
-    vtkWarningMacro(<< cloud.dropped() << " of " << cloud.inputPoints
-                    << " points are unusable and have area 0 (" << cloud.nonFinitePoints
-                    << " with NaN or infinite values, " << cloud.zeroNormalPoints
-                    << " with normals of length 0)");
+    vtkWarningMacro(<< winding::lineOf(winding::messageOf(winding::Sentence::unusablePoints,
+                      {std::to_string(cloud.dropped()), std::to_string(cloud.inputPoints),
+                        std::to_string(cloud.nonFinitePoints),
+                        std::to_string(cloud.zeroNormalPoints)})));
   }
   if (lost > 0)
   {

@@ -151,13 +151,6 @@ void vtkWindingNumberProbe::EvaluateMore(
     static_cast<double>(
       winding::bytesOfCellFractions(field, cells.size()) + cells.size() * sizeof(float)),
     "the fractions of " + std::to_string(count) + " cells", winding::wordsOfProbe.remedies);
-  if (cells.curved() > 0)
-  {
-    vtkWarningMacro(<< winding::lineOf(
-                      winding::Message(std::to_string(cells.curved()) + " of " +
-                                         std::to_string(count) + " cells have curved faces",
-                        {}, "fractions take them as straight between corners")));
-  }
   this->Fractions = vtkSmartPointer<vtkFloatArray>::New();
   this->Fractions->SetName(winding::fractionName);
   this->Fractions->SetNumberOfTuples(count);

@@ -6,7 +6,6 @@
 #include "base/Refusal.h"
 #include "base/Views.h"
 #include "diagnosis/Diagnosis.h"
-#include "diagnosis/GridAdvice.h"
 #include "field/Field.h"
 #include "messages/Options.h"
 #include "pipeline/Ranks.h"
@@ -17,6 +16,7 @@
 #include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
 #include "tasks/ResultNotes.h"
+#include "tasks/Sentences.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -170,8 +170,7 @@ int vtkWindingNumberProbeAlgorithm::RequestData(
   this->InsideFlags = nullptr;
   if (this->GetNumberOfInputConnections(1) == 0)
   {
-    throw winding::Refusal(winding::Message(
-      "there is no source of winding numbers", {{"give one", {winding::Parameter::source}}}));
+    throw winding::Refusal(winding::messageOf(winding::Sentence::noSource));
   }
   this->AgreeOnProperties();
 
@@ -254,10 +253,8 @@ void vtkWindingNumberProbeAlgorithm::WarnOfNotFinite(const winding::ProbeQueries
   }
   if (count > 0)
   {
-    vtkWarningMacro(<< winding::lineOf(
-                      winding::Message(std::to_string(count) + " of " +
-                                         std::to_string(queries.size()) + " queries are not finite",
-                        {}, "they have no winding number")));
+    vtkWarningMacro(<< winding::lineOf(winding::messageOf(winding::Sentence::queriesNotFinite,
+                      {std::to_string(count), std::to_string(queries.size())})));
   }
 }
 
@@ -281,14 +278,10 @@ void vtkWindingNumberProbeAlgorithm::WarnOfOutside(const winding::Field& field,
   }
   if (within == many && this->GetRanks().isAlone())
   {
-    std::vector<winding::Remedy> remedies = {
-      {"look whether the source is closed", {winding::Parameter::surfaceReport}}};
-    if (this->GetInsideTest().hasHighThreshold())
-    {
-      remedies.insert(remedies.begin(), winding::lowerThreshold());
-    }
-    vtkWarningMacro(<< winding::lineOf(winding::Message("no sample is inside", remedies,
-                      "100 or more lie within the bounds of the source")));
+    vtkWarningMacro(<< winding::lineOf(
+                      winding::messageOf(this->GetInsideTest().hasHighThreshold()
+                                           ? winding::Sentence::noSampleIsAboveThreshold
+                                           : winding::Sentence::noSampleIsInside)));
   }
 }
 
@@ -297,12 +290,9 @@ void vtkWindingNumberProbeAlgorithm::WarnOfEmpty()
 {
   if (!this->SourceIsInsideOut && this->GetNumberOfPrimitives() > 0)
   {
-    const std::string sample = this->SamplesCells() ? "no cell center is " : "no point is ";
-    vtkWarningMacro(
-      << winding::lineOf(winding::Message(
-           sample + (this->InsideOut ? "outside" : "inside") + ", so the result is empty",
-           {{"look whether dataset and source overlap", {}}, {"take a finer dataset", {}},
-             {"look whether the source is closed", {winding::Parameter::surfaceReport}}})));
+    const std::string sample = this->SamplesCells() ? "cell center" : "point";
+    vtkWarningMacro(<< winding::lineOf(winding::messageOf(winding::Sentence::emptyPart,
+                      {sample, this->InsideOut ? "outside" : "inside"})));
   }
 }
 

@@ -19,6 +19,7 @@
 #include "private/source/SourceMemory.h"
 #include "private/source/SourceParts.h"
 #include "private/source/SourceProperties.h"
+#include "tasks/Sentences.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -145,9 +146,7 @@ void vtkWindingNumberReport::MakeReport(
   auto views = std::make_unique<winding::InputViews>(source, options, &executor);
   if (this->FixOrientation && !ranks.isAlone())
   {
-    throw winding::Refusal(winding::Message("one rank has not all faces to turn",
-      {{"", {{winding::Parameter::fixOrientation, 0}}}},
-      "turn them in a program of one rank, before they are dealt out"));
+    throw winding::Refusal(winding::messageOf(winding::Sentence::facesOfOtherRanks));
   }
   winding::SourceOptions properties;
   properties.input = options;

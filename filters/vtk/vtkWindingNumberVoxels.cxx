@@ -15,6 +15,7 @@
 #include "private/source/CellChecks.h"
 #include "private/source/SourceParts.h"
 #include "private/source/SourceProperties.h"
+#include "tasks/Sentences.h"
 #include "voxels/BlockSurface.h"
 
 #include "vtkArrayDispatch.h"
@@ -89,12 +90,8 @@ struct ReadLabels
       const auto number = static_cast<double>(value);
       if (!(number >= 0 && number <= largest && number == std::floor(number)))
       {
-        throw winding::Refusal(
-          winding::Message("'" + winding::textOf(values->GetName()) + "' is no array of labels",
-            {{"choose another array", {winding::Parameter::voxelArray}},
-              {"", {{winding::Parameter::byLabel, 0}}}},
-            "labels are integers from 0 to 65535, and it has the value " +
-              winding::inDigits(number)));
+        throw winding::Refusal(winding::messageOf(winding::Sentence::noLabels,
+          {winding::textOf(values->GetName()), winding::inDigits(number)}));
       }
       labels.push_back(static_cast<unsigned short>(number));
     }
@@ -151,11 +148,9 @@ winding::VoxelSides<Label> voxelsOf(vtkImageData* image, vtkDataArray* values, b
   }
   if (values->GetNumberOfTuples() != voxelCount)
   {
-    throw winding::Refusal(winding::Message(
-      "'" + winding::textOf(values->GetName()) + "' is no array of points or cells",
-      {{"choose another array", {winding::Parameter::voxelArray}}},
-      "it has " + std::to_string(values->GetNumberOfTuples()) + " values for " +
-        std::to_string(voxelCount) + " voxels"));
+    throw winding::Refusal(winding::messageOf(winding::Sentence::otherArrayLength,
+      {winding::textOf(values->GetName()), std::to_string(values->GetNumberOfTuples()),
+        std::to_string(voxelCount)}));
   }
   winding::refuseBeyondFreeMemory(
     static_cast<double>(voxelCount) * sizeof(Label), "telling inside from outside", lessMemory);
@@ -328,10 +323,7 @@ vtkDataArray* vtkWindingNumberVoxels::FindValues(vtkImageData* image, int& assoc
   }
   if (!values || values->GetNumberOfComponents() != 1)
   {
-    throw winding::Refusal(winding::Message("the image has no scalar array",
-      {{"choose an array", {winding::Parameter::voxelArray}},
-        {"compute one", {winding::Parameter::image}}},
-      "it tells inside from outside"));
+    throw winding::Refusal(winding::messageOf(winding::Sentence::noScalars));
   }
   return values;
 }

@@ -1,21 +1,18 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The cells of data sets of VTK as libwinding takes them."""
+"""The cells of data sets of VTK as libwinding takes them, and checks before VTK follows them."""
 
+import ctypes
 from typing import NamedTuple
 
 import numpy as np
 
-from . import _datasets, _parts
-from ._checks import check_cells
-from ._outward import POLYHEDRON, TETRA
+from . import _datasets, _library
+from ._errors import WindingError
 
-_CONVEX_POINT_SET = 41
-# The straight types of curved cells of three dimensions, and how many corners these have.
-_STRAIGHT = {**dict.fromkeys((24, 64, 71, 78), (10, 4)),
-             **dict.fromkeys((25, 29, 33, 67, 72, 79), (12, 8)),
-             **dict.fromkeys((26, 31, 32, 65, 73, 80), (13, 6)),
-             **dict.fromkeys((27, 37, 66, 74, 81), (14, 5))}
+_CONVEX_POINT_SET, _POLYHEDRON = 41, 42
+# The faces of a tetrahedron, seen from outside.
+_TETRA = ((0, 1, 3), (1, 2, 3), (2, 0, 3), (0, 2, 1))
 
 
 class Cells(NamedTuple):
@@ -25,93 +22,130 @@ class Cells(NamedTuple):
     types: np.ndarray
     corners: np.ndarray
     offsets: np.ndarray
-    curved: int  # how many have curved faces
     ends: list[int]  # by data set, how many cells it and those before have
+
+
+def check_cells(data, name):
+    """Refuses data whose cells cannot be followed. Images and the like compute their cells."""
+    first = 0
+    if data.IsA("vtkPolyData"):
+        for cells in (data.GetVerts(), data.GetLines(), data.GetPolys(), data.GetStrips()):
+            _check(data, cells, None, first, name)
+            first += cells.GetNumberOfCells()
+    elif data.IsA("vtkUnstructuredGrid"):
+        _check(data, data.GetCells(), _datasets.cell_types_of(data), 0, name)
+
+
+def _check(data, cells, types, first, name):
+    corners, offsets = _datasets.cells_of(data, cells)
+    if not cells.IsValid():
+        offsets = offsets[:0]  # which the library says
+    given, faces, degrees = _library.cells_of(types, corners, offsets), None, None
+    count = cells.GetNumberOfCells()
+    if types is not None and len(offsets) and len(types) >= count:
+        degrees = data.GetCellData().GetHigherOrderDegrees()
+        degrees = None if degrees is None else _datasets.array_of(data, degrees).astype(float)
+        streams = {cell: _faces_of(data, cell)
+                   for cell in np.flatnonzero(types[:count] == _POLYHEDRON).tolist()}
+        if streams:
+            ids, starts = _with(streams, np.empty(0, np.int64), np.zeros(count + 1, np.int64))
+            faces = ctypes.byref(_library.cells_of(None, ids, starts))
+    _library.call("winding_check_cells", ctypes.byref(given), faces, _library.array_of(degrees),
+                  ctypes.c_int64(count), ctypes.c_int64(data.GetNumberOfPoints()),
+                  ctypes.c_int64(first), name.encode())
+
+
+def check_arrays(data, name):
+    """Refuses data with an array that has fewer values than there are points or cells."""
+    for attributes, count, items in ((data.GetPointData(), data.GetNumberOfPoints(), "points"),
+                                     (data.GetCellData(), data.GetNumberOfCells(), "cells")):
+        for number in range(attributes.GetNumberOfArrays()):
+            array = attributes.GetAbstractArray(number)
+            if array.GetNumberOfTuples() < count:
+                raise WindingError(
+                    f"mend the data set: {name} has an array '{array.GetName() or ''}' with "
+                    f"{array.GetNumberOfTuples()} values for {count} {items}")
 
 
 def all_cells_of(leaves):
     """Returns the cells of data sets, with points of their own."""
-    made = [_cells_of(leaf) for leaf in leaves]
-    points, ids, offsets = [np.empty((0, 3))], [np.empty(0, np.int64)], [np.zeros(1, np.int64)]
+    points, types = [np.empty((0, 3))], [np.empty(0, np.uint8)]
+    ids, offsets = [np.empty(0, np.int64)], [np.zeros(1, np.int64)]
     before = end = 0
-    for places, types, corners, starts, _ in made:
-        points.append(places)
-        ids.append(_shifted(types, corners, starts, before))
-        offsets.append(starts[1:] + end)
-        before += len(places)
-        end += starts[-1]
-    types = [np.empty(0, np.uint8), *(of_leaf[1] for of_leaf in made)]
-    return Cells(
-        np.ascontiguousarray(np.concatenate(points), float), np.concatenate(types),
-        np.concatenate(ids), np.concatenate(offsets), sum(of_leaf[4] for of_leaf in made),
-        np.cumsum([len(of_leaf[1]) for of_leaf in made]).tolist())
+    for leaf in leaves:
+        check_cells(leaf, "the data set")
+        if leaf.GetNumberOfCells():
+            grid = _datasets.unstructured(leaf)
+            points.append(_datasets.points_of(leaf))
+            types.append(_datasets.cell_types_of(grid)[:grid.GetNumberOfCells()].astype(np.uint8))
+            corners, starts = with_faces(grid, types[-1], before)
+            ids.append(corners)
+            offsets.append(starts[1:] + end)
+            before += len(points[-1])
+            end += starts[-1]
+    return Cells(np.ascontiguousarray(np.concatenate(points), float), np.concatenate(types),
+                 np.concatenate(ids), np.concatenate(offsets),
+                 np.cumsum([leaf.GetNumberOfCells() for leaf in leaves]).tolist())
 
 
-def _cells_of(data):
-    """Returns points, types, corners and offsets of all cells, and the number of curved ones."""
-    check_cells(data, "the data set")
-    grid = data
-    if not data.IsA("vtkUnstructuredGrid"):
-        grid = _datasets.unstructured(data) if data.GetNumberOfCells() else None
-    if grid is None or grid.GetNumberOfCells() == 0:
-        return (np.empty((0, 3)), np.empty(0, np.uint8), np.empty(0, np.int64),
-                np.zeros(1, np.int64), 0)
-    types = _datasets.cell_types_of(grid)[:grid.GetNumberOfCells()].astype(np.uint8)
-    corners, offsets = (array.astype(np.int64) for array in
-                        _datasets.cells_of(grid, grid.GetCells()))
-    curved = np.isin(types, list(_STRAIGHT))
-    special = np.flatnonzero(curved | np.isin(types, (POLYHEDRON, _CONVEX_POINT_SET)))
-    points = _parts.points_of(data)
-    if special.size:
-        own = {}
-        types = types.copy()
-        for cell in special.tolist():
-            types[cell], own[cell] = _replaced(grid, cell, types[cell], corners, offsets, points)
-        sizes = np.diff(offsets)
-        sizes[special] = [len(own[cell]) for cell in special.tolist()]
-        made = np.concatenate([[0], np.cumsum(sizes)])
-        lists, last = [], 0
-        for cell in special.tolist():
-            lists += [corners[offsets[last]:offsets[cell]], own[cell]]
-            last = cell + 1
-        corners = np.concatenate([*lists, corners[offsets[last]:offsets[-1]]]).astype(np.int64)
-        offsets = made
-    return points, types, np.ascontiguousarray(corners), offsets, int(curved.sum())
+def with_faces(grid, types, before=0, are_wanted=None):
+    """Returns the ids of all cells of an unstructured grid, as the library takes them, and their
+    offsets.
+
+    Polyhedra have their faces. Convex sets of points, whose `types` change to that of polyhedra,
+    have the faces of the tetrahedra that VTK cuts them into. Ids count from `before`. Cells of
+    these two types that are not wanted are empty."""
+    corners, offsets = _datasets.cells_of(grid, grid.GetCells())
+    special = np.isin(types, (_POLYHEDRON, _CONVEX_POINT_SET))
+    streams = {}
+    for cell in np.flatnonzero(special).tolist():
+        if are_wanted is not None and not are_wanted[cell]:
+            streams[cell] = np.empty(0, np.int64)
+        else:
+            streams[cell] = (_faces_of if types[cell] == _POLYHEDRON else _tetrahedra_of)(
+                grid, cell, before)
+    types[special] = _POLYHEDRON
+    return _with(streams, corners + before if before else corners, offsets)
 
 
-def _replaced(grid, cell, kind, corners, offsets, points):
-    """Returns the type and the ids of a cell that is no linear one, as the library has them."""
-    ids = corners[offsets[cell]:offsets[cell + 1]]
-    if kind in _STRAIGHT:
-        straight, count = _STRAIGHT[kind]
-        return straight, ids[:count]
+def _with(streams, corners, offsets):
+    """Returns ids of cells and their offsets, with other ids for some cells."""
+    if not streams:
+        return corners, offsets
+    lists, last, sizes = [], 0, np.diff(offsets)
+    for cell, own in streams.items():
+        lists += [corners[offsets[last]:offsets[cell]], own]
+        sizes[cell], last = len(own), cell + 1
+    lists.append(corners[offsets[last]:offsets[-1]])
+    return (np.concatenate(lists).astype(np.int64),
+            np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64))
+
+
+def _faces_of(grid, cell, before=0):
+    """Returns the faces of a polyhedron: their number, then of each how many points it has, and
+    their ids, which count from `before`."""
     found = _datasets.class_of(grid, "vtkCommonCore", "vtkIdList")()
-    if kind == POLYHEDRON:
-        grid.GetFaceStream(cell, found)
-        return kind, np.array([found.GetId(i) for i in range(found.GetNumberOfIds())])
+    grid.GetFaceStream(cell, found)
+    stream = np.array([found.GetId(i) for i in range(found.GetNumberOfIds())], np.int64)
+    at = 1
+    while before and at < len(stream):
+        end = at + 1 + stream[at]
+        stream[at + 1:end] += before
+        at = end
+    return stream
+
+
+def _tetrahedra_of(grid, cell, before):
+    """Returns the faces of the tetrahedra of a convex set of points, each looking outward."""
+    found = _datasets.class_of(grid, "vtkCommonCore", "vtkIdList")()
     places = _datasets.class_of(grid, "vtkCommonCore", "vtkPoints")()
     grid.GetCell(cell).Triangulate(0, found, places)
     tetrahedra = np.array([found.GetId(i) for i in range(found.GetNumberOfIds())]).reshape(-1, 4)
     stream = [4 * len(tetrahedra)]
-    for tetrahedron in tetrahedra:
-        a, b, c, d = points[tetrahedron].astype(float)
+    for first, tetrahedron in enumerate(tetrahedra):
+        a, b, c, d = (np.array(places.GetPoint(4 * first + i)) for i in range(4))
         if np.cross(b - a, c - a) @ (d - a) < 0:
             tetrahedron = tetrahedron[[1, 0, 2, 3]]
-        for face in TETRA:
-            stream += [3, *tetrahedron[list(face)].tolist()]
-    return POLYHEDRON, np.array(stream)
-
-
-def _shifted(types, corners, offsets, by):
-    """Returns the corners of cells whose points come after `by` others."""
-    if not by or not (types == POLYHEDRON).any():
-        return corners + by
-    moved = corners + by
-    for cell in np.flatnonzero(types == POLYHEDRON).tolist():
-        at, last = offsets[cell], offsets[cell + 1]
-        moved[at] = corners[at]
-        at += 1
-        while at < last:
-            moved[at] = corners[at]
-            at += 1 + corners[at]
-    return moved
+        for face in _TETRA:
+            stream += [3, *(tetrahedron[list(face)] + before).tolist()]
+    return np.array(stream)

@@ -6,22 +6,15 @@ Packages such as vtkmodules and cvista have the same classes, which do not go to
 imported here before a data object of it is at hand.
 """
 
+import functools
 import importlib
 
 import numpy as np
 
+from . import _library
+
 GHOST_CELLS = 1 | 8 | 32  # of another piece, refined, hidden
 GHOST_POINTS = 1 | 2  # of another piece, hidden
-
-# Dimensions of cells by their types, and what types have curved edges.
-_DIMENSIONS = {
-    0: (1, 2),
-    1: (3, 4, 21, 35, 51, 60, 68, 75),
-    2: (5, 6, 7, 8, 9, 22, 23, 28, 30, 34, 36, 52, 53, 54, 61, 62, 63, 69, 70, 76, 77),
-    3: (*range(10, 17), *range(24, 28), 29, *range(31, 34), 37, 41, 42, 55, *range(64, 68),
-        *range(71, 75), *range(78, 82)),
-}
-_CURVED = (*range(21, 38), *range(51, 56), *range(60, 82))
 
 
 def package_of(data):
@@ -73,6 +66,39 @@ def floats_of(data, array):
     """Returns an array of VTK as float32 or float64."""
     found = array_of(data, array)
     return found if found.dtype in (np.float32, np.float64) else found.astype(np.float64)
+
+
+def points_of(data):
+    """Returns the points (N, 3) of a data set of any kind, at which a field is asked."""
+    if data.IsA("vtkPointSet"):
+        points = data.GetPoints()
+        return np.empty((0, 3)) if points is None else floats_of(data, points.GetData())
+    if data.IsA("vtkImageData"):
+        return _points_of_image(data)
+    if data.IsA("vtkRectilinearGrid"):
+        axes = [floats_of(data, axis).astype(float) for axis in (
+            data.GetXCoordinates(), data.GetYCoordinates(), data.GetZCoordinates())]
+        z, y, x = np.meshgrid(*axes[::-1], indexing="ij")
+        return np.stack([x.ravel(), y.ravel(), z.ravel()], 1)
+    return np.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())]).reshape(-1, 3)
+
+
+def directions_of(image):
+    """Returns the axes of an image in space, as the columns of a matrix."""
+    matrix = image.GetDirectionMatrix()
+    return np.array([[matrix.GetElement(i, j) for j in range(3)] for i in range(3)])
+
+
+def _points_of_image(image):
+    extent, matrix = image.GetExtent(), directions_of(image)
+    axes = [np.arange(extent[2 * axis], extent[2 * axis + 1] + 1) for axis in range(3)]
+    steps = [axes[axis] * image.GetSpacing()[axis] for axis in range(3)]
+    z, y, x = np.meshgrid(*steps[::-1], indexing="ij")
+    places = np.stack([x.ravel(), y.ravel(), z.ravel()], 1)
+    # Summed one by one: the bits of a product of matrices depend on the machine.
+    turned = places if (matrix == np.eye(3)).all() else (
+        places[:, :1] * matrix[:, 0] + places[:, 1:2] * matrix[:, 1] + places[:, 2:] * matrix[:, 2])
+    return turned + np.array(image.GetOrigin())
 
 
 def cells_of(data, cells):
@@ -159,17 +185,21 @@ def cell_types_of(grid):
     return np.empty(0, np.uint8) if types is None else array_of(grid, types)
 
 
+@functools.lru_cache(maxsize=None)
+def _kinds():
+    """Returns the dimensions of cells by their types, and whether they are curved."""
+    kinds = [_library.cell_kind(kind) for kind in range(256)]
+    return np.array([kind[0] for kind in kinds], np.int8), np.array([kind[1] for kind in kinds])
+
+
 def dimensions_of(types):
     """Returns the dimensions of cells, 0 to 3, by their types; -1 for numbers that are no type."""
-    table = np.full(256, -1, np.int8)
-    for dimension, kinds in _DIMENSIONS.items():
-        table[list(kinds)] = dimension
-    return table[types]
+    return _kinds()[0][types]
 
 
 def has_curved(types):
     """Returns whether there are cells with curved edges among cells of some types."""
-    return bool(np.isin(types, _CURVED).any())
+    return bool(_kinds()[1][types].any())
 
 
 def has_faces(mesh):
@@ -212,13 +242,19 @@ def keep_cell_data(to, data, numbers):
         data.GetCellData(), ids_of(data, numbers), ids_of(data, range(len(numbers))))
 
 
-def ghosts_of(attributes, bits, count):
-    """Returns which of `count` cells or points are ghosts, or None where none is."""
+def flags_of(attributes, count):
+    """Returns the ghost flags of `count` cells or points, or None where there are none."""
     flags = attributes.GetArray("vtkGhostType")
     if flags is None or flags.GetNumberOfTuples() != count:
         return None
-    are = (array_of(flags, flags).astype(np.int64) & bits) != 0
-    return are if are.any() else None
+    return array_of(flags, flags).astype(np.uint8)
+
+
+def ghosts_of(attributes, bits, count):
+    """Returns which of `count` cells or points are ghosts, or None where none is."""
+    flags = flags_of(attributes, count)
+    are = None if flags is None else (flags & bits) != 0
+    return are if are is not None and are.any() else None
 
 
 def triangles_of_strips(corners, offsets):

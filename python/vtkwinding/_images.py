@@ -5,7 +5,7 @@
 import numpy as np
 import pyvista as pv
 
-from . import _parts
+from . import _datasets, _parts
 from ._errors import WindingError
 
 
@@ -47,5 +47,5 @@ def evaluate(field, data, kinds, sides, *, at_cells=False, coverage=0, band=0, s
                        coverage, band, show)
     if (coverage or band) and not _parts.has_right_angles(data):
         raise WindingError("the axes of the image are not at right angles: resample it first")
-    places = _parts.centres_of(data) if at_cells else _parts.points_of(data)
+    places = _parts.centres_of(data) if at_cells else _datasets.points_of(data)
     return field.at(places, kinds, sides, show=show)

@@ -83,9 +83,9 @@ def _struct(name):
 Refusal, Run, Array, Polygons, Options, FieldInfo, Grid, GridRequest, Rule, Values, Cells = map(
     _struct, ("refusal", "run", "array", "polygons", "options", "field_info", "grid",
               "grid_request", "rule", "values", "cells"))
-Verification, MeshArrays, SurfaceOptions, LabelOptions, Labels, Report = map(
-    _struct, ("verification", "mesh_arrays", "surface_options", "label_options", "labels",
-              "report"))
+CellCounts, Skin, Verification, MeshArrays, SurfaceOptions, LabelOptions, Labels, Report = map(
+    _struct, ("cell_counts", "skin", "verification", "mesh_arrays", "surface_options",
+              "label_options", "labels", "report"))
 Fidelity, CloudReport, Estimate, Column, RegionNames = map(
     _struct, ("fidelity", "cloud_report", "estimate", "column", "regions"))
 
@@ -134,6 +134,22 @@ def polygons_of(corners, offsets=None):
 def cells_of(types, corners, offsets):
     """Returns cells as the library takes them. The arrays must outlive the call."""
     return Cells(array_of(types), array_of(corners), array_of(offsets))
+
+
+def cell_kind(kind):
+    """Returns the dimension of cells of a type, -1 for none, and whether their edges are curved."""
+    is_curved = _int32()
+    return _library.winding_cell_dimension(_int32(kind), ctypes.byref(is_curved)), bool(
+        is_curved.value)
+
+
+def sentence(name, *values, words=PARAVIEW_WORDS):
+    """Returns a sentence of Sentences.def, with values in it, in the words of a front end."""
+    texts = (ctypes.c_char_p * len(values))(*(str(value).encode() for value in values))
+    line = ctypes.create_string_buffer(1000)
+    call("winding_sentence", name.encode(), texts, ctypes.c_size_t(len(values)), RUN, line,
+         ctypes.c_size_t(len(line)), words=words)
+    return line.value.decode(errors="ignore")
 
 
 def warn(text):

@@ -7,7 +7,7 @@ import ctypes
 import numpy as np
 
 from . import _datasets, _library, _options
-from ._checks import check_cells
+from ._cells import check_cells
 
 _MARK = "Winding.Kept"
 _POLY_VERTEX = 2
@@ -21,27 +21,6 @@ def _is_structured(data):
     """Returns whether the points of cells follow from the numbers of the cells."""
     return any(data.IsA(kind) for kind in ("vtkImageData", "vtkRectilinearGrid",
                                            "vtkStructuredGrid"))
-
-
-def points_of(data):
-    """Returns the points (N, 3) of a data set of any kind, at which a field is asked."""
-    if data.IsA("vtkPointSet"):
-        points = data.GetPoints()
-        return np.empty((0, 3)) if points is None else _datasets.floats_of(data, points.GetData())
-    if data.IsA("vtkImageData"):
-        return _points_of_image(data)
-    if data.IsA("vtkRectilinearGrid"):
-        axes = [_datasets.floats_of(data, axis).astype(float) for axis in (
-            data.GetXCoordinates(), data.GetYCoordinates(), data.GetZCoordinates())]
-        z, y, x = np.meshgrid(*axes[::-1], indexing="ij")
-        return np.stack([x.ravel(), y.ravel(), z.ravel()], 1)
-    return np.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())]).reshape(-1, 3)
-
-
-def directions_of(image):
-    """Returns the axes of an image in space, as the columns of a matrix."""
-    matrix = image.GetDirectionMatrix()
-    return np.array([[matrix.GetElement(i, j) for j in range(3)] for i in range(3)])
 
 
 class Frame:
@@ -74,7 +53,7 @@ class Frame:
 
 def _axes_of(image):
     """Returns the directions in which the indices of an image grow, as the columns of a matrix."""
-    return directions_of(image) * np.where(np.array(image.GetSpacing()) < 0, -1, 1)
+    return _datasets.directions_of(image) * np.where(np.array(image.GetSpacing()) < 0, -1, 1)
 
 
 def has_right_angles(image, skew=MOST_SKEW_TO_LIE_ON):
@@ -109,18 +88,6 @@ def grid_of_image(image, at_cells, skew=_MOST_SKEW, are_voxels=False):
     if not (np.isfinite(first).all() and np.isfinite(steps).all() and (steps > 0).all()):
         return None, None
     return _library.Grid(tuple(first), tuple(steps), tuple(int(count) for count in counts)), frame
-
-
-def _points_of_image(image):
-    extent, matrix = image.GetExtent(), directions_of(image)
-    axes = [np.arange(extent[2 * axis], extent[2 * axis + 1] + 1) for axis in range(3)]
-    steps = [axes[axis] * image.GetSpacing()[axis] for axis in range(3)]
-    z, y, x = np.meshgrid(*steps[::-1], indexing="ij")
-    places = np.stack([x.ravel(), y.ravel(), z.ravel()], 1)
-    # Summed one by one: the bits of a product of matrices depend on the machine.
-    turned = places if (matrix == np.eye(3)).all() else (
-        places[:, :1] * matrix[:, 0] + places[:, 1:2] * matrix[:, 1] + places[:, 2:] * matrix[:, 2])
-    return turned + np.array(image.GetOrigin())
 
 
 def centres_of(data):
@@ -284,7 +251,7 @@ def clipped_part(data, numbers):
     marked.ShallowCopy(data)
     marked.GetPointData().AddArray(_datasets.vtk_array_of(data, _MARK, numbers))
     marked.GetPointData().SetActiveScalars(_MARK)  # VTK 9.2 would throw out what is active
-    is_somewhere = np.isfinite(points_of(data)).all(axis=1)
+    is_somewhere = np.isfinite(_datasets.points_of(data)).all(axis=1)
     if not is_somewhere.all():
         marked = inside_part(marked, is_somewhere)
     clip = _datasets.class_of(data, "vtkFiltersGeneral", "vtkTableBasedClipDataSet")()

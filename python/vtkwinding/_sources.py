@@ -9,16 +9,16 @@ surface. All blocks of composite data are one source.
 from __future__ import annotations
 
 import copy
+import ctypes
 import inspect
-import math
 from typing import NamedTuple
 
 import numpy as np
 
 from . import _datasets, _library, _parts
-from ._checks import check_arrays, check_cells
+from ._cells import check_arrays, check_cells
 from ._errors import WindingError
-from ._outward import inward_polygons
+from ._skins import outer_surface
 from .fields import Field
 
 # Options of fields that are no arrays, as Field has them.
@@ -27,11 +27,7 @@ DEFAULTS = {name: parameter.default
             if parameter.kind is parameter.KEYWORD_ONLY and name not in ("normals", "areas")}
 
 KINDS = "take blocks or files of one kind: the source mixes surfaces and point clouds"
-_MIXED = "cells with and without volume are mixed: choose which ({surface_cells})"
-_LOOSE = ("lines and single points bound nothing: make faces of them, if they are walls; "
-          "{count} are left out")
 _ACTIVE = ("Active Normals", "None")  # what lists of arrays in ParaView have for the active ones
-_OWNERS = "Winding.Numbers"
 
 
 class Leaf(NamedTuple):
@@ -72,14 +68,11 @@ class Source:
     points: (N, 3) floats of all leaves.
     corners, offsets: ids of points, and where each polygon begins and ends; None for a cloud.
     normals, areas: of the points, or None.
-    notes: lines on what is left out, with {surface_cells} for the name of that option.
-    turned_cells: cells with volume at the outer surface, ordered the other way round.
-    left_out_cells: cells of two dimensions where there are three, or the latter.
+    counts: of cells that are left out or turned, as the library has them.
     """
 
-    def __init__(self, leaves, notes, turned_cells=0, left_out_cells=0):
-        self.leaves, self.notes = leaves, notes
-        self.turned_cells, self.left_out_cells = turned_cells, left_out_cells
+    def __init__(self, leaves, counts):
+        self.leaves, self.counts = leaves, counts
         self.points = _joined([leaf.points for leaf in leaves], np.empty((0, 3)))
         self.corners = self.offsets = None
         if leaves and all(leaf.corners is not None for leaf in leaves):
@@ -108,6 +101,13 @@ class Source:
     def is_surface(self):
         return self.corners is not None
 
+    def notes(self, words=_library.PYTHON_WORDS):
+        """Returns lines on what is left out, in the words of a front end."""
+        lines = []
+        _library.call("winding_warn_of_cells", ctypes.byref(self.counts), _library.RUN,
+                      note=lines.append, words=words)
+        return lines
+
     def polygons(self):
         """Returns the polygons as the library takes them."""
         return _library.polygons_of(self.corners, self.offsets)
@@ -123,7 +123,8 @@ def _starts(counts):
     return np.cumsum([0, *counts[:-1]]) if counts else []
 
 
-def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False, as_points=False):
+def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False, as_points=False,
+              words=_library.PYTHON_WORDS):
     """Looks at a data object of VTK: a Source.
 
     Parameters
@@ -136,19 +137,22 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
         Whether cells without volume are taken of a mesh that has both kinds.
     as_points : bool
         Whether meshes are clouds of their points, with the normals that these have.
+    words : int
+        The front end in whose words data is refused.
     """
-    leaves, loose, left_out, turned = [], 0, 0, 0
+    leaves, counts = [], _library.CellCounts()
     is_surface = None
     to_read = list(_datasets.leaves_of(data))
     if not as_points and any(
             leaf.IsA("vtkPointSet") and _datasets.has_faces(leaf) for _, leaf in to_read):
         of_lines = {name for name, leaf in to_read if _datasets.is_of_lines(leaf)}
-        loose = sum(leaf.GetNumberOfCells() for name, leaf in to_read if name in of_lines)
+        counts.loose = sum(
+            leaf.GetNumberOfCells() for name, leaf in to_read if name in of_lines)
         to_read = [(name, leaf) for name, leaf in to_read if name not in of_lines]
     for name, leaf in to_read:
         if not leaf.IsA("vtkPointSet"):
-            raise WindingError(f"{name} is a {leaf.GetClassName()}, no surface or points: extract "
-                               "a surface first, as by Contour")
+            raise WindingError(_library.sentence(
+                "noSurfaceOrPoints", name, leaf.GetClassName(), words=words))
         if leaf.GetNumberOfPoints() == 0:
             continue
         if not leaf.IsA("vtkPolyData"):
@@ -156,10 +160,9 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
             check_arrays(leaf, name)
         has_faces = _datasets.has_faces(leaf)
         if has_faces:
-            skin, counts = _outer_surface(leaf, surface_cells, as_points)
-            left_out += counts[1]
-            turned += counts[2]
-            loose += 0 if as_points else counts[0]
+            loose = counts.loose
+            skin = outer_surface(leaf, surface_cells, as_points, counts)
+            counts.loose = loose if as_points else counts.loose
         else:
             skin = leaf
         found = _leaf(skin, has_faces, as_points or not has_faces, normals_array, areas_array)
@@ -170,12 +173,7 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
             raise WindingError(KINDS)
         is_surface = has_faces and not as_points
         leaves.append(found)
-    notes = []
-    if left_out:
-        notes.append(f"{_MIXED}; {left_out} cells of the other kind are left out")
-    if loose:
-        notes.append(_LOOSE.format(count=loose))
-    return Source(leaves, notes, turned, left_out)
+    return Source(leaves, counts)
 
 
 def _leaf(data, has_faces, is_cloud, normals_array, areas_array):
@@ -275,153 +273,6 @@ def framed(parts, frame):
         made.corners = turned_polygons(
             parts.corners, parts.offsets, np.ones(len(parts.offsets) - 1, bool))
         made.offsets = parts.offsets - parts.offsets[0]
-    return made
-
-
-def _outer_surface(mesh, surface_cells, keeps_points):
-    """Returns the polydata that bounds a mesh with faces, how many cells it leaves out, and how
-    many it turns. The former are two numbers: loose cells, and cells of the other kind. With
-    `keeps_points` curved faces are divided at their own points only."""
-    if mesh.IsA("vtkPolyData"):
-        return mesh, (mesh.GetNumberOfVerts() + mesh.GetNumberOfLines(), 0, 0)
-    if mesh.IsA("vtkExplicitStructuredGrid"):
-        mesh = _datasets.unstructured(mesh)  # VTK gives surfaces of the other no numbers of cells
-    types = _datasets.cell_types_of(mesh) if mesh.IsA("vtkUnstructuredGrid") else None
-    loose = left_out = 0
-    cells = mesh
-    ghosts = _datasets.ghosts_of(
-        mesh.GetCellData(), _datasets.GHOST_CELLS, mesh.GetNumberOfCells())
-    if types is not None:
-        dimensions = _datasets.dimensions_of(types)
-        loose = int(((dimensions == 0) | (dimensions == 1)).sum())
-        are_own = np.ones(len(types), bool) if ghosts is None else ~ghosts
-        if (dimensions == 2).any() and (dimensions == 3).any():
-            are_other = are_own & (dimensions == (3 if surface_cells else 2))
-            left_out = int(are_other.sum())
-            are_own &= ~are_other
-        if not are_own.all():
-            cells = _datasets.extracted(mesh, are_own)
-    elif ghosts is not None:
-        cells = _datasets.extracted(mesh, ~ghosts)
-    is_curved = types is not None and _datasets.has_curved(_datasets.cell_types_of(cells))
-    numbered = _datasets.class_of(mesh, "vtkCommonDataModel", cells.GetClassName())()
-    numbered.ShallowCopy(cells)
-    # VTK's own array of cells is that of straight ones where cells are curved.
-    for attributes, count in ((numbered.GetCellData(), cells.GetNumberOfCells()),
-                              (numbered.GetPointData(), cells.GetNumberOfPoints())):
-        attributes.AddArray(_datasets.vtk_array_of(mesh, _OWNERS, np.arange(count)))
-    level = 0
-    if is_curved:
-        level = 1 if keeps_points else _level_for(numbered)
-    surface, turned = _looking_outward(cells, _surface_at(numbered, level), is_curved)
-    surface = _without_seams(cells, surface)
-    surface.GetCellData().RemoveArray(_OWNERS)
-    surface.GetPointData().RemoveArray(_OWNERS)
-    return surface, (loose, left_out, turned)
-
-
-def _surface_at(mesh, level):
-    """Returns the outer surface of cells, with each curved edge in 2 ** level pieces."""
-    surface = _datasets.class_of(mesh, "vtkFiltersGeometry", "vtkDataSetSurfaceFilter")()
-    surface.SetInputData(mesh)
-    surface.SetNonlinearSubdivisionLevel(level)
-    surface.Update()
-    return surface.GetOutput()
-
-
-def _level_for(mesh):
-    """Returns the level at which faces are within a thousandth of the diagonal of their shape, 5 at
-    most.
-
-    A chord of length h whose arc rises s above it is shorter by 8/3 (s/h)**2 of its length. Each
-    level halves the chords, and leaves a quarter of s."""
-    areas = []
-    for level in (1, 2):
-        surface = _surface_at(mesh, level)
-        owners = _datasets.array_of(mesh, surface.GetCellData().GetArray(_OWNERS))
-        first = surface.GetNumberOfVerts() + surface.GetNumberOfLines()
-        sizes = np.linalg.norm(_areas_of(surface)[0], axis=1) / 2
-        areas.append(np.bincount(owners[first:first + len(sizes)], sizes, mesh.GetNumberOfCells()))
-    with np.errstate(all="ignore"):
-        excess = np.nan_to_num(np.abs(areas[1] - areas[0]) / areas[0], posinf=0)
-    rise = (np.sqrt(areas[0] * excess * 3 / 8) / 2).max(initial=0)
-    wanted = 1e-3 * mesh.GetLength()
-    return 1 if rise <= wanted else min(5, 1 + math.ceil(math.log(rise / wanted, 4)))
-
-
-def _areas_of(surface):
-    """Returns twice the areas of the polygons of polydata as vectors, and their middles."""
-    corners, offsets = _datasets.cells_of(surface, surface.GetPolys())
-    if len(offsets) < 2:
-        return np.empty((0, 3)), np.empty((0, 3))
-    points = _datasets.floats_of(surface, surface.GetPoints().GetData()).astype(float)
-    sizes = np.diff(offsets)
-    first = np.repeat(points[corners[offsets[:-1]]], sizes, axis=0)
-    following = np.arange(len(corners)) + 1
-    following[offsets[1:] - 1] = offsets[:-1]
-    at, after = points[corners], points[corners[following]]
-    return (np.add.reduceat(np.cross(at - first, after - first), offsets[:-1], axis=0),
-            np.add.reduceat(at, offsets[:-1], axis=0) / sizes[:, None])
-
-
-def _looking_outward(mesh, surface, is_curved):
-    """Returns the outer surface of a mesh, each polygon turned away from its own cell, and how many
-    cells need that."""
-    count = surface.GetNumberOfPolys()
-    if count == 0:
-        return surface, 0
-    before = surface.GetNumberOfVerts() + surface.GetNumberOfLines()
-    owners = _datasets.array_of(mesh, surface.GetCellData().GetArray(_OWNERS))
-    owners = owners[before:before + count].copy()
-    corners, offsets = _datasets.cells_of(mesh, surface.GetPolys())
-    polygons = corners if is_curved else _datasets.array_of(
-        mesh, surface.GetPointData().GetArray(_OWNERS))[corners]
-    areas, middles = _areas_of(surface)
-    are_inward = inward_polygons(mesh, owners, polygons, offsets, is_curved, middles, areas)
-    if are_inward.any():
-        surface.SetPolys(_datasets.cell_array_of(
-            mesh, turned_polygons(corners, offsets, are_inward), offsets))
-    return surface, len(np.unique(owners[are_inward]))
-
-
-def _without_seams(mesh, surface):
-    """Removes polygons from the outer `surface` of `mesh` that are there in both senses: they lie
-    between cells that touch but share no points, as in the pieces of a file."""
-    owners = _datasets.array_of(mesh, surface.GetCellData().GetArray(_OWNERS))
-    before = surface.GetNumberOfVerts() + surface.GetNumberOfLines()
-    points = np.ascontiguousarray(
-        _datasets.floats_of(mesh, surface.GetPoints().GetData())) + 0.0  # no -0
-    rows = points.view(np.dtype((np.void, 3 * points.itemsize))).ravel()
-    places, places_of, counts = np.unique(rows, return_inverse=True, return_counts=True)
-    if len(places) == len(rows):
-        return surface
-    corners, offsets = _datasets.cells_of(mesh, surface.GetPolys())
-    sizes = np.diff(offsets)
-    places_of = places_of.ravel()
-    are_shared = np.logical_and.reduceat(counts[places_of[corners]] > 1, offsets[:-1]) if (
-        len(sizes)) else np.empty(0, bool)
-    found = np.flatnonzero(are_shared)
-    types = np.array([mesh.GetCellType(owner) for owner in owners[before + found].tolist()], int)
-    found = found[_datasets.dimensions_of(types) == 3]
-    are_kept, opened = np.ones(len(sizes), bool), {}
-    for polygon in found:
-        ids = places_of[corners[offsets[polygon]:offsets[polygon + 1]]]
-        ids = np.roll(ids, -int(ids.argmin()))
-        ascends = bool(ids[1] < ids[-1])
-        key = tuple(ids if ascends else np.concatenate([ids[:1], ids[:0:-1]]))
-        others = opened.setdefault((key, not ascends), [])
-        if others:
-            are_kept[[polygon, others.pop()]] = False
-        else:
-            opened.setdefault((key, ascends), []).append(polygon)
-    if are_kept.all():
-        return surface
-    made = surface.NewInstance()
-    made.ShallowCopy(surface)
-    made.SetPolys(_datasets.cell_array_of(mesh, *kept_polygons(corners, offsets, are_kept)))
-    rest = np.ones(surface.GetNumberOfCells(), bool)
-    rest[before:before + len(sizes)] = are_kept
-    _datasets.keep_cell_data(made, surface, np.flatnonzero(rest))
     return made
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pyvista as pv
 
 from . import _datasets, _grids, _options
-from ._checks import check_cells
+from ._cells import check_cells
 
 
 def outer_surface(mesh):

@@ -79,9 +79,8 @@ def _source(mesh, name="the mesh", *, as_points=False, notes=None, **arrays):
             _options.text(option, value)
     arrays["surface_cells"] = _options.flag("surface_cells", arrays.get("surface_cells", False))
     source = source_of(_check_source(name, mesh), as_points=as_points, **arrays)
-    for note in source.notes:
-        text = note.format(surface_cells="surface_cells=True")
-        _library.warn(text) if notes is None else notes.append(text)
+    for note in source.notes():
+        _library.warn(note) if notes is None else notes.append(note)
     return source
 
 
@@ -253,7 +252,7 @@ class WindingAccessor:
                 target[name] = values[kind]
         if nearest is not None:
             with bar(progress_bar, "Finding nearest cells") as show:
-                places = _parts.centres_of(image) if at_cells else _parts.points_of(image)
+                places = _parts.centres_of(image) if at_cells else _datasets.points_of(image)
                 for name, numbers in nearest.numbers_at(places, show).items():
                     target[name] = numbers
         image.set_active_scalars("WindingNumber", association)
@@ -485,7 +484,7 @@ class WindingAccessor:
             if len(leaves) == 1:
                 return _images.evaluate(
                     field, leaves[0], kinds, sides, at_cells=at_cells, show=show)
-            places = [_parts.centres_of(leaf) if at_cells else _parts.points_of(leaf)
+            places = [_parts.centres_of(leaf) if at_cells else _datasets.points_of(leaf)
                       for leaf in leaves]
             places = np.concatenate(places) if places else np.empty((0, 3))
             return field.at(places, kinds, sides, show=show)
@@ -554,7 +553,7 @@ class WindingAccessor:
         are_cut = np.zeros(len(kept), bool)
         for leaf, first, last in zip(leaves, ends, ends[1:]):
             are_cut[first:last] = _parts.points_of_cut_cells(leaf, kept[first:last])
-        places = [_parts.points_of(leaf)[are_cut[first:last]]
+        places = [_datasets.points_of(leaf)[are_cut[first:last]]
                   for leaf, first, last in zip(leaves, ends, ends[1:])]
         field, sides = accessor_of(surface)._field(options, "surface")
         numbers = field.cut_distances(np.concatenate(places) if places else np.empty((0, 3)),
@@ -598,7 +597,7 @@ class WindingAccessor:
         if nearest is not None:
             at_cells = association == "cell"
             for leaf in (leaf for leaf in _leaves(copy) if isinstance(leaf, pv.DataSet)):
-                places = _parts.centres_of(leaf) if at_cells else _parts.points_of(leaf)
+                places = _parts.centres_of(leaf) if at_cells else _datasets.points_of(leaf)
                 target = leaf.cell_data if at_cells else leaf.point_data
                 with bar(progress_bar, "Finding nearest cells") as show:
                     for name, numbers in nearest.numbers_at(places, show).items():
@@ -610,9 +609,6 @@ class WindingAccessor:
         field, sides = accessor_of(surface)._field(options, "surface")
         leaves = [leaf for leaf in _leaves(copy) if isinstance(leaf, pv.DataSet)]
         cells = _cells.all_cells_of(leaves)
-        if cells.curved:
-            _library.warn(f"{cells.curved} of {len(cells.types)} cells have curved faces; "
-                          "fractions take them as straight between corners")
         with bar(progress_bar, "Computing fractions") as show:
             fractions = field.fractions_of(
                 cells.points, cells.types, cells.corners, cells.offsets, sides, show=show)
@@ -731,8 +727,8 @@ class WindingAccessor:
                 notes = own + notes
                 polygons = _library.polygons_of(corners, offsets)
             return fields.report_of(points, polygons, source.normals, show=show, notes=notes,
-                                    counts={"turned_cells": source.turned_cells,
-                                            "left_out_cells": source.left_out_cells})
+                                    counts={"turned_cells": source.counts.turned,
+                                            "left_out_cells": source.counts.left_out})
 
     def fix_orientation(self, *, surface_cells: bool = False, weld_tolerance: float = 0,
                         progress_bar: bool = False) -> pv.PolyData:

@@ -396,7 +396,7 @@ class Field:
         the number of its faces, then of each face the number of its points and their ids. These are
         celltypes, cell_connectivity and offset of PyVista's UnstructuredGrid without polyhedra. A
         cell without volume has 1 or 0, as its middle is inside or not; a polyhedron with a face
-        that is missing or turned has NaN. Curved cells are refused: give their corners.
+        that is missing or turned has NaN. Curved cells count as straight between their corners.
         """
         places = _numbers.vectors("points", points, finite=False)
         kinds = np.ascontiguousarray(types)

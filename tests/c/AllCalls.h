@@ -44,6 +44,14 @@ struct Arguments
     values.winding = floats.data();
     values.inside = bytes.data();
     run.number_of_threads = 2;
+    skin.points = points;
+    skin.polygons = {
+      {faceCorners.data(), 3, 0, WINDING_INT64}, {faceOffsets.data(), 2, 0, WINDING_INT64}};
+    skin.owners = {owners.data(), 1, 0, WINDING_INT64};
+    outwardCorners.resize(3);
+    outwardOffsets.resize(2);
+    outwardPolygons.resize(1);
+    cellCounts = with(winding_cell_counts_init);
   }
   ~Arguments() { this->release(); }
   Arguments(const Arguments&) = delete;
@@ -77,6 +85,11 @@ struct Arguments
   std::vector<std::int64_t> offsets = {0, 4, 21};
   winding_cells cells = {{types.data(), 2, 0, WINDING_UINT8},
     {corners.data(), 21, 0, WINDING_INT64}, {offsets.data(), 3, 0, WINDING_INT64}};
+  /// The first face of the tetrahedron.
+  winding_skin skin = {};
+  std::vector<std::int64_t> faceCorners = {0, 2, 1}, faceOffsets = {0, 3}, owners = {0};
+  std::vector<std::int64_t> outwardCorners, outwardOffsets, outwardPolygons;
+  winding_cell_counts cellCounts;
   TemporaryFile meshFile, tableFile;
   OwnedMesh readMesh, readTable;
   winding_field* madeField = nullptr;
@@ -120,6 +133,43 @@ inline const Call allCalls[] = {
     {
       return winding_cell_fractions(
         a.field.get(), a.points, &a.cells, &a.rule, a.floats.data(), &a.run, &a.refusal);
+    }},
+  {"winding_check_cells",
+    [](Arguments& a)
+    {
+      return winding_check_cells(
+        &a.cells, nullptr, {nullptr, 0, 0, 0}, 2, a.points.rows, 0, "the mesh", &a.refusal);
+    }},
+  {"winding_choose_cells",
+    [](Arguments& a)
+    {
+      return winding_choose_cells(
+        a.cells.types, nullptr, 0, a.bytes.data(), &a.cellCounts, &a.refusal);
+    }},
+  {"winding_halvings",
+    [](Arguments& a)
+    {
+      std::int32_t halvings;
+      return winding_halvings(&a.skin, &a.skin, 2, 1, &halvings, &a.cellCounts, &a.refusal);
+    }},
+  {"winding_outward_polygons",
+    [](Arguments& a)
+    {
+      std::int64_t kept;
+      return winding_outward_polygons(a.points, &a.cells, &a.skin, a.outwardCorners.data(),
+        a.outwardOffsets.data(), a.outwardPolygons.data(), &kept, &a.cellCounts, &a.refusal);
+    }},
+  {"winding_sentence",
+    [](Arguments& a)
+    {
+      char text[1000];
+      const char* const values[] = {"5", "7"};
+      return winding_sentence("queriesNotFinite", values, 2, &a.run, text, sizeof text, &a.refusal);
+    }},
+  {"winding_warn_of_cells",
+    [](Arguments& a)
+    {
+      return winding_warn_of_cells(&a.cellCounts, &a.run, &a.refusal);
     }},
   {"winding_level_surface",
     [](Arguments& a)

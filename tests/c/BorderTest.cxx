@@ -78,7 +78,7 @@ TEST(Border, RefusesWhatIsNoArray)
 {
   const std::string points =
     "winding_faces winding_points winding_evaluate_points winding_cell_fractions "
-    "winding_solids "
+    "winding_outward_polygons winding_solids "
     "winding_open_parts winding_faults winding_vertices winding_examine "
     "winding_orient winding_examine_points "
     "winding_orient_normals winding_estimate_normals "
@@ -92,11 +92,20 @@ TEST(Border, RefusesWhatIsNoArray)
   expectMisuse([](Arguments& a) { a.points.stride = -3; }, points);
   expectMisuse(
     [](Arguments& a) { a.points.stride = std::numeric_limits<std::int64_t>::max() / 2; }, points);
-  const std::string cells = "winding_cell_fractions";
-  expectMisuse([](Arguments& a) { a.cells.types.data = nullptr; }, cells);
-  expectMisuse([](Arguments& a) { a.cells.types.type = WINDING_INT32; }, cells);
-  expectMisuse([](Arguments& a) { a.cells.types.rows = -1; }, cells);
-  expectMisuse([](Arguments& a) { a.cells.types.stride = 2; }, cells);
+  const std::string cells = "winding_cell_fractions winding_outward_polygons";
+  const std::string types = cells + " winding_check_cells winding_choose_cells";
+  expectMisuse([](Arguments& a) { a.cells.types.data = nullptr; }, types);
+  expectMisuse([](Arguments& a) { a.cells.types.type = WINDING_INT32; }, types);
+  expectMisuse([](Arguments& a) { a.cells.types.rows = -1; }, types);
+  expectMisuse([](Arguments& a) { a.cells.types.stride = 2; }, types);
+  const std::string skins = "winding_outward_polygons winding_halvings";
+  expectMisuse([](Arguments& a) { a.owners[0] = 2; }, skins);
+  expectMisuse([](Arguments& a) { a.faceCorners[0] = -1; }, skins);
+  expectMisuse([](Arguments& a) { a.faceOffsets[1] = 4; }, skins);
+  expectMisuse([](Arguments& a) { a.skin.owners.rows = 2; }, skins);
+  expectMisuse([](Arguments& a) { a.skin.origins = a.skin.owners; }, skins);
+  expectMisuse([](Arguments& a) { a.cellCounts.size = 2; },
+    "winding_choose_cells winding_halvings winding_outward_polygons winding_warn_of_cells");
   expectMisuse([](Arguments& a) { a.cells.corners.type = WINDING_FLOAT32; }, cells);
   expectMisuse([](Arguments& a) { a.cells.offsets.rows = 2; }, cells);
   expectMisuse([](Arguments& a) { a.offsets[1] = 22; }, cells);

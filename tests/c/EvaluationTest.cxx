@@ -253,24 +253,24 @@ TEST(Cells, HaveTheShareOfThemThatIsInside)
     EXPECT_NE(std::string(refusal.text).find(words), std::string::npos) << refusal.text;
   };
   corners[12] = 9;
-  expectRefused("cell 2 refers to point 9 of 9");
+  expectRefused("cell 2 of the mesh refers to point 9 of 9");
   corners[12] = 0;
   corners[18] = -1;
-  expectRefused("cell 3 refers to point -1 of 9");
+  expectRefused("cell 3 of the mesh refers to point -1 of 9");
   corners[18] = 0;
   corners[16] = 5;
-  expectRefused("cell 3 is a polyhedron with another number of faces");
+  expectRefused("cell 3 of the mesh is a polyhedron with another number of faces");
   corners[17] = 99;
-  expectRefused("cell 3 is a polyhedron with a face that does not end");
+  expectRefused("cell 3 of the mesh is a polyhedron with a face that does not end");
   types[2] = 14;
-  expectRefused("cell 2 has 4 points");
+  expectRefused("cell 2 of the mesh has 4 points, which a cell of type 14 cannot have");
   types[2] = 10;
-  for (const int type : {24, 41, 99})
-  {
-    types[0] = static_cast<std::uint8_t>(type);
-    expectRefused("cell 0 has type " + std::to_string(type) +
-                  ", which has no fraction: give straight cells, of types 10 to 16 and 42");
-  }
+  corners[16] = 4;
+  corners[17] = 3;
+  types[0] = 41;
+  expectRefused("cell 0 of the mesh is a set of points: give its faces, as a polyhedron");
+  types[0] = 99;
+  expectRefused("cell 0 of the mesh has unknown type 99");
 }
 
 TEST(SamplePoints, MayBeAskedForByManyThreadsAtOnce)

@@ -40,7 +40,7 @@ public:
   {
     CellShape shape;
     shape.points = std::move(points);
-    shape.addLinearFaces(type);
+    shape.addFacesOf(type);
     shapes_.push_back(std::move(shape));
   }
 

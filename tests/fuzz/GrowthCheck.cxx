@@ -152,7 +152,7 @@ public:
     {
       point *= size_;
     }
-    shape.addLinearFaces(tetrahedron);
+    shape.addFacesOf(tetrahedron);
   }
 
 private:

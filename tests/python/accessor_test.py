@@ -758,7 +758,7 @@ class AccessorTest(Warned):
                                    blocks.winding.field, resolution=8)
             self.assertEqual(blocks.winding.report()["triangles"], ball().n_cells)
         cells = grid(5).cast_to_unstructured_grid() + ball().cast_to_unstructured_grid()
-        self.assertRaisesRegex(vtkwinding.WindingWarning, "surface_cells=True",
+        self.assertRaisesRegex(vtkwinding.WindingWarning, "surface_cells=",
                                cells.winding.field, resolution=8)
         found = cells.winding.report()
         self.assertEqual(found["left_out_cells"], ball().n_cells)

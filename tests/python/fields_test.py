@@ -239,10 +239,12 @@ class FunctionsTest(unittest.TestCase):
         np.testing.assert_allclose(
             two.fractions(places.astype("f4"), [11], corners[:8], offsets[:2]), [0.125], rtol=1e-6)
         self.assertEqual(field.fractions(places, [], [], []).shape, (0,))
-        with self.assertRaisesRegex(vtkwinding.WindingError, "cell 0 refers to point 9 of 9"):
+        with self.assertRaisesRegex(vtkwinding.WindingError, "refers to point 9 of 9"):
             field.fractions(places, [10], [0, 1, 2, 9], [0, 4])
-        with self.assertRaisesRegex(vtkwinding.WindingError, "cell 0 has type 24, which has no"):
-            field.fractions(places, [24], range(10), [0, 10])
+        with self.assertRaisesRegex(vtkwinding.WindingError, "has unknown type 99"):
+            field.fractions(places, [99], range(9), [0, 9])
+        with self.assertWarnsRegex(vtkwinding.WindingWarning, "1 of 1 cells have curved faces"):
+            field.fractions(places, [24], [*range(8), 0, 1], [0, 10])
         lacking = [5, *polyhedron[1:-5]]
         with self.assertWarnsRegex(vtkwinding.WindingWarning, "1 of 1 cells are not closed"):
             found = field.fractions(places, [42], lacking, [0, len(lacking)])
@@ -258,7 +260,7 @@ class FunctionsTest(unittest.TestCase):
                 field.fractions(places, [10], [0, 1, 2, 3], offsets)
         with self.assertRaisesRegex(ValueError, "^offsets must ascend"):
             field.fractions(places, [10, 10], [0, 1, 2, 3] * 2, [0, 6, 4])
-        with self.assertRaisesRegex(vtkwinding.WindingError, "cell 0 has type 255, which has no"):
+        with self.assertRaisesRegex(vtkwinding.WindingError, "has unknown type 255"):
             field.fractions(places, [255], [0, 1, 2, 3], [0, 4])
         with self.assertWarnsRegex(vtkwinding.WindingWarning, "1 of 1 cells are empty"):
             self.assertTrue(np.isnan(field.fractions(places, [0], [], [0, 0])[0]))

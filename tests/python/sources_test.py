@@ -12,7 +12,6 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkIntArray, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
-    vtkGenericCell,
     vtkImageData,
     vtkMultiBlockDataSet,
     vtkPolyData,
@@ -27,7 +26,7 @@ from vtkwinding_native.vtkFiltersWinding import (
     vtkWindingNumberReport,
 )
 
-from vtkwinding import _cells, _checks, _datasets, _outward, _parts, _sources, fields
+from vtkwinding import _datasets, _library, _parts, _sources, fields
 
 # Straight and curved cells, by the numbers that VTK has for them.
 STRAIGHT = (10, 12, 13, 14)
@@ -230,9 +229,9 @@ class SourcesTest(unittest.TestCase):
                 expected = filter.GetReport()
                 source = _sources.source_of(data)
                 found = fields.report_of(
-                    source.points, source.polygons(), None, notes=source.notes,
-                    counts={"turned_cells": source.turned_cells,
-                            "left_out_cells": source.left_out_cells})
+                    source.points, source.polygons(), None, notes=source.notes(),
+                    counts={"turned_cells": source.counts.turned,
+                            "left_out_cells": source.counts.left_out})
                 for count in ("closed", "boundary_edges", "inconsistent_edges", "turned_cells",
                               "left_out_cells", "closed_components", "unreferenced_vertices"):
                     value = expected.GetArray(count).GetTuple1(0)
@@ -307,10 +306,13 @@ class SourcesTest(unittest.TestCase):
         self.assertEqual(os.waitpid(child, 0)[1], 0)
 
     def test_what_is_left_out_is_noted(self):
-        notes = _sources.source_of(mixed()).notes
-        self.assertEqual(len(notes), 2)
-        self.assertIn("{surface_cells}", notes[0])
-        self.assertIn("1 are left out", notes[1])
+        source = _sources.source_of(mixed())
+        for words, name in ((_library.PYTHON_WORDS, "surface_cells="),
+                            (_library.PARAVIEW_WORDS, "Use Surface Cells")):
+            notes = source.notes(words)
+            self.assertEqual(len(notes), 2)
+            self.assertIn(name, notes[0])
+            self.assertIn("1 are left out", notes[1])
         chosen = _sources.source_of(mixed(), surface_cells=True)
         self.assertEqual(len(chosen.offsets) - 1, 1)
 
@@ -343,77 +345,6 @@ class SourcesTest(unittest.TestCase):
                                places(), normals_array="n")
 
 
-class CellTypesTest(unittest.TestCase):
-    """Numbers that stand in tables, by the types of cells: the same as VTK has."""
-
-    def types_of_vtk(self):
-        """The types that this VTK has cells of, and one cell of each."""
-        found = {kind: vtkGenericCell.InstantiateCell(kind) for kind in range(1, 82)}
-        found = {kind: cell for kind, cell in found.items() if cell is not None}
-        self.assertGreater(len(found), 45)
-        return found
-
-    def test_dimensions_and_curved_edges(self):
-        for kind, cell in self.types_of_vtk().items():
-            with self.subTest(kind):
-                self.assertEqual(_datasets.dimensions_of(np.array([kind])), cell.GetCellDimension())
-                self.assertEqual(_datasets.has_curved(np.array([kind])), not cell.IsLinear())
-        unknown = [0, *range(17, 21), *range(38, 41), *range(43, 51), *range(56, 60),
-                   *range(82, 256)]
-        self.assertEqual(set(_datasets.dimensions_of(np.array(unknown)).tolist()), {-1})
-
-    def test_numbers_of_points(self):
-        for kind, cell in self.types_of_vtk().items():
-            count = cell.GetNumberOfPoints()
-            if kind not in _checks._OF_ANY_ORDER and "Curve" not in cell.GetClassName():
-                self.assertEqual(_checks._POINTS.get(kind, 0), count, kind)
-        for kind in (69, 70, 71, 72, 73, 76, 77, 78, 79, 80):
-            counts = set()
-            for order in range(1, 11):
-                source = vtkCellTypeSource()
-                source.SetCellType(kind)
-                source.SetCellOrder(order)
-                source.SetBlocksDimensions(1, 1, 1)
-                source.Update()
-                counts.add(source.GetOutput().GetCell(0).GetNumberOfPoints())
-            # One more, in the middle, have cells of degree 2 that VTK reads, too.
-            more = {69: {7}, 76: {7}, 71: {15}, 78: {15}, 73: {21}, 80: {21}}.get(kind, set())
-            self.assertEqual(_checks._OF_ANY_ORDER[kind], counts | more, kind)
-        # Squares of 1 to n + 1, of which VTK's source has no cells.
-        pyramids = set(np.cumsum(np.arange(1, 12)**2)[1:].tolist())
-        for kind in (74, 81):
-            self.assertEqual(_checks._OF_ANY_ORDER[kind], pyramids | {19}, kind)
-
-    def test_faces_agree_and_are_those_of_the_cells(self):
-        for kind, faces in _outward._FACES.items():
-            with self.subTest(kind):
-                cell = vtkGenericCell.InstantiateCell(kind)
-                for number in range(cell.GetNumberOfPoints()):
-                    cell.GetPointIds().SetId(number, number)
-                expected = []
-                for face in range(cell.GetNumberOfFaces()):  # each call gives the same object
-                    ids = cell.GetFace(face).GetPointIds()
-                    expected.append({ids.GetId(i) for i in range(ids.GetNumberOfIds())})
-                self.assertEqual([set(face) for face in faces], expected)
-                edges = [(face[i - 1], corner) for face in faces for i, corner in enumerate(face)]
-                self.assertEqual(len(set(edges)), len(edges))
-                self.assertEqual({(b, a) for a, b in edges}, set(edges))
-
-    def test_curved_cells_have_the_corners_of_straight_ones(self):
-        cells = self.types_of_vtk()
-        curved = {kind for kind, cell in cells.items()
-                  if cell.GetCellDimension() == 3 and not cell.IsLinear()}
-        self.assertEqual(_cells._STRAIGHT.keys() & cells.keys(), curved)
-        self.assertEqual(_cells._STRAIGHT.keys() - cells.keys(), {64, 65, 66, 67, 74, 81})
-        for kind, (straight, corners) in _cells._STRAIGHT.items():
-            with self.subTest(kind):
-                self.assertEqual(cells[straight].GetNumberOfPoints(), corners)
-                self.assertEqual(_outward._STRAIGHT.get(kind, straight), straight)
-                if kind in curved:
-                    faces = cells[straight].GetNumberOfFaces()
-                    self.assertEqual(cells[kind].GetNumberOfFaces(), faces)
-
-
 class PartsTest(unittest.TestCase):
     def data(self):
         image = vtkImageData()
@@ -429,7 +360,7 @@ class PartsTest(unittest.TestCase):
             probe.SetSourceData(ball())
             probe.ExtractInsideOn()
             probe.Update()
-            points = _parts.points_of(data)
+            points = _datasets.points_of(data)
             inside = field.at(points, {"inside": np.dtype("u1")}, SIDES)["inside"]
             self.same(_parts.inside_part(data, inside), probe.GetOutputDataObject(0))
             clip = vtkWindingNumberClip()

@@ -32,7 +32,7 @@ def field_of(name):
     reader.SetFileName(str(FOLDER / name))
     reader.Update()
     source = _sources.source_of(reader.GetOutput())
-    for note in source.notes:
+    for note in source.notes():
         warnings.warn(note, vtkwinding.WindingWarning, stacklevel=2)
     _sources.SourceField(source).field(resolution=4)
 

@@ -111,6 +111,7 @@ public:
       counts.flat += state == CellState::flat;
       counts.open += state == CellState::open;
       counts.nowhere += state == CellState::nowhere;
+      counts.curved += isStraightened_[i] != 0;
       fractions[i] = isWithoutFraction(state)  ? std::numeric_limits<float>::quiet_NaN()
                      : isInside_(windings_[i]) ? 1.0F
                                                : 0.0F;
@@ -266,6 +267,7 @@ private:
   {
     apexes_.resize(cells_.size());
     states_.resize(cells_.size());
+    isStraightened_.resize(cells_.size());
     constexpr std::size_t cellsPerBlock = 1024;
     executor_.run((cells_.size() + cellsPerBlock - 1) / cellsPerBlock,
       [&](std::size_t block)
@@ -275,6 +277,7 @@ private:
         for (std::size_t i = first; i < std::min(cells_.size(), first + cellsPerBlock); ++i)
         {
           CellState state = this->load(i, work);
+          isStraightened_[i] = work.shape.isStraightened;
           Eigen::Vector3d apex = work.cell.middle();
           if (isWithoutFraction(state))
           {
@@ -519,6 +522,7 @@ private:
   Surface rims_; ///< edges of the boundary
   std::vector<Eigen::Vector3d> apexes_;
   std::vector<CellState> states_;
+  std::vector<char> isStraightened_; ///< by cell
   std::vector<double> windings_;
 };
 
@@ -542,6 +546,7 @@ std::vector<Message> warningsOf(const CellsWithoutFraction& counts, std::size_t 
         std::vector<Remedy>(), fact);
     }
   };
+  add(counts.curved, "have curved faces", "fractions take them as straight between corners");
   add(counts.flat, "have no volume", "their fraction is 1 or 0, as their middle is inside or not");
   add(counts.open, "are not closed", "a face of each is missing or turned: they have no fraction");
   add(counts.nowhere, "are empty or not finite", "they have no fraction");
@@ -554,8 +559,8 @@ std::size_t bytesOfCellFractions(const Field& field, std::size_t cells)
   const bool isDivided = !field.info().jumpsOnly();
   // Cones, less than half of their eighths, and as many of theirs; each has five samples.
   constexpr std::size_t ofParts = cellsAtOnce * 200 * (sizeof(CellPart) + 5 * 32);
-  constexpr std::size_t perCell =
-    sizeof(Eigen::Vector3d) + sizeof(double) + sizeof(CellState) + sizeof(std::size_t);
+  constexpr std::size_t perCell = sizeof(Eigen::Vector3d) + sizeof(double) + sizeof(CellState) +
+                                  sizeof(char) + sizeof(std::size_t);
   return BoxTree::bytesFor(primitives) +
          field.info().netBoundaryEdges * (sizeof(Triangle) + BoxTree::bytesFor(1)) +
          (isDivided ? primitives / 2 * sizeof(Eigen::Vector3d) : 0) + cells * perCell +

@@ -14,11 +14,12 @@
 namespace winding
 {
 
-/// The numbers of cells whose fraction is no share of a volume.
+/// The numbers of cells whose fraction is no share of their volume.
 struct CellsWithoutFraction
 {
   std::size_t flat = 0;    ///< without volume: 1 or 0, as their middle is inside or not
   std::size_t open = 0;    ///< polyhedra with a face that is missing or turned: NaN
+  std::size_t curved = 0;  ///< with curved faces, which count as straight between corners
   std::size_t nowhere = 0; ///< with points that are NaN or infinite, or without points: NaN
 };
 

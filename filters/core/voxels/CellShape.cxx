@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxels/CellShape.h"
 
+#include "mesh/CellTypes.h"
+
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -12,31 +13,6 @@ namespace winding
 
 namespace
 {
-
-/// Numbers of corners, face after face; −1 ends a face.
-using FaceTable = std::vector<int>;
-
-constexpr int firstLinearType = 10, linearTypes = 7;
-constexpr std::array<std::size_t, linearTypes> cornersOfTypes = {4, 8, 8, 6, 5, 10, 12};
-
-/// The faces by type, from tetrahedra on.
-const std::array<FaceTable, linearTypes>& faceTables()
-{
-  static const std::array<FaceTable, linearTypes> tables = {{
-    {0, 1, 3, -1, 1, 2, 3, -1, 2, 0, 3, -1, 0, 2, 1, -1},
-    {0, 4, 6, 2, -1, 1, 3, 7, 5, -1, 0, 1, 5, 4, -1, 2, 6, 7, 3, -1, 0, 2, 3, 1, -1, 4, 5, 7, 6,
-      -1},
-    {0, 4, 7, 3, -1, 1, 2, 6, 5, -1, 0, 1, 5, 4, -1, 3, 7, 6, 2, -1, 0, 3, 2, 1, -1, 4, 5, 6, 7,
-      -1},
-    {0, 1, 2, -1, 3, 5, 4, -1, 0, 3, 4, 1, -1, 1, 4, 5, 2, -1, 2, 5, 3, 0, -1},
-    {0, 3, 2, 1, -1, 0, 1, 4, -1, 1, 2, 4, -1, 2, 3, 4, -1, 3, 0, 4, -1},
-    {0, 4, 3, 2, 1, -1, 5, 6, 7, 8, 9, -1, 0, 1, 6, 5, -1, 1, 2, 7, 6, -1, 2, 3, 8, 7, -1, 3, 4, 9,
-      8, -1, 4, 0, 5, 9, -1},
-    {0, 5, 4, 3, 2, 1, -1, 6, 7, 8, 9, 10, 11, -1, 0, 1, 7, 6, -1, 1, 2, 8, 7, -1, 2, 3, 9, 8, -1,
-      3, 4, 10, 9, -1, 4, 5, 11, 10, -1, 5, 0, 6, 11, -1},
-  }};
-  return tables;
-}
 
 /// The points of a shape that lie on an edge between two others, from its first end on.
 std::vector<int> pointsOn(const CellShape& shape, int from, int to)
@@ -114,6 +90,7 @@ void CellShape::clear()
   faceCorners.clear();
   faceEnds.assign(1, 0);
   areLinear = false;
+  isStraightened = false;
 }
 
 void CellShape::addFace(const int* corners, int count)
@@ -137,15 +114,22 @@ bool CellShape::isClosed() const
   return doEdgesCancel(*this, placeOf) || doEdgesCancel(*this, placeOf, true);
 }
 
-bool CellShape::addLinearFaces(int type)
+bool CellShape::addFacesOf(int type)
 {
-  const int kind = type - firstLinearType;
-  if (kind < 0 || kind >= linearTypes || points.size() < cornersOfTypes[std::size_t(kind)])
+  const int straight = straightTypeOf(type);
+  const auto corners = static_cast<std::size_t>(fewestPointsOf(straight));
+  isStraightened = straight != type;
+  if (isStraightened && corners > 0 && corners < points.size())
+  {
+    points.resize(corners);
+  }
+  const FaceTable& table = facesOf(straight);
+  if (table.empty() || points.size() < corners)
   {
     return false;
   }
   areLinear = this->faces() == 0;
-  for (const int corner : faceTables()[std::size_t(kind)])
+  for (const int corner : table)
   {
     if (corner >= 0)
     {

@@ -19,7 +19,8 @@ struct CellShape
   std::vector<Eigen::Vector3d> points;
   std::vector<int> faceCorners;    ///< face after face
   std::vector<int> faceEnds = {0}; ///< by face, where its corners begin; and the end of the last
-  bool areLinear = false;          ///< whether addLinearFaces() has made all faces, which close
+  bool areLinear = false;          ///< whether addFacesOf() has made all faces, which close
+  bool isStraightened = false;     ///< whether addFacesOf() was given a curved type
 
   void clear();
   std::size_t faces() const { return faceEnds.size() - 1; }
@@ -31,10 +32,10 @@ struct CellShape
   /// at one place count as one, and edges are cut at corners that lie on them.
   bool isClosed() const;
 
-  /// Adds the faces of a linear cell with one of VTK's types, whose points are there in VTK's
-  /// order: tetrahedron (10), voxel (11), hexahedron (12), wedge (13), pyramid (14), pentagonal
-  /// prism (15) and hexagonal prism (16). Returns whether it is one of them with enough points.
-  bool addLinearFaces(int type);
+  /// Adds the faces of a cell with one of VTK's types, whose points are there in VTK's order. A
+  /// curved cell is made straight between its corners: its other points are removed. Returns
+  /// whether facesOf() has its faces and there are enough points.
+  bool addFacesOf(int type);
 };
 
 /// The cells of a mesh, which may be asked for from several threads at once.

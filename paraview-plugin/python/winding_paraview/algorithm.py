@@ -19,6 +19,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 
 from vtkwinding import _library
 from vtkwinding._errors import WindingError, WindingInterrupted, WindingMemoryError
+from vtkwinding._library import sentence
 
 from . import declarations
 from .ranks import words_of_unexpected
@@ -211,8 +212,7 @@ class Algorithm(VTKPythonAlgorithmBase):
         """Refuses properties that differ among ranks, as scripts on each rank may set them."""
         own = sorted((name, value) for name, value in self.values.items()
                      if name not in _OF_EACH_RANK)
-        ranks.require_same((own, self.more_properties()), "set the same properties on all ranks: "
-                           "they differ, and so would the results")
+        ranks.require_same((own, self.more_properties()), sentence("otherPropertiesOnRanks"))
 
     def _refuse(self, text):
         """Reports an error, once for each change of the pipeline."""

@@ -12,6 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkwinding import _library
 from vtkwinding._booleans import reach_of, reaches_beyond
 from vtkwinding._errors import WindingError
+from vtkwinding._library import sentence
 
 from .algorithm import RUN, copied, declared
 from .grids import sample_count, whole_extent
@@ -138,8 +139,7 @@ class WindingNumberBoolean(SurfaceAlgorithm):
     def make(self, data, ranks, output, image):
         count = data.GetNumberOfBlocks()
         if count < 2:
-            raise WindingError(
-                "there are fewer than two solids: give another input, or several blocks")
+            raise WindingError(sentence("fewerThanTwoSolids"))
         names = [data.GetMetaData(index).Get(vtkCompositeDataSet.NAME()) for index in range(count)]
         rules = [self._rule_of(index) for index in range(count)]
         fields, self.infos, kept = [], [], {}

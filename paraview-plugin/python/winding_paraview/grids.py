@@ -14,15 +14,10 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 
 from vtkwinding import _grids, _library
+from vtkwinding._datasets import directions_of, points_of
 from vtkwinding._errors import WindingError
-from vtkwinding._parts import (
-    MOST_SKEW_TO_LIE_ON,
-    centres_of,
-    directions_of,
-    grid_of_image,
-    has_right_angles,
-    points_of,
-)
+from vtkwinding._library import sentence
+from vtkwinding._parts import MOST_SKEW_TO_LIE_ON, centres_of, grid_of_image, has_right_angles
 
 from .algorithm import DONE, RUN, declared, new_array, refuse_beyond_memory
 from .ranks import Ranks
@@ -31,8 +26,6 @@ from .sources import SourceAlgorithm, ask_for_part, kind_of, parts_of, welded
 CENTER, ANY, FRACTION = range(3)
 PARITY = 4
 VTK_UNSIGNED_CHAR, VTK_DOUBLE = 3, 11
-_OTHER_TIMES = "give the source the same time steps on all ranks: they differ"
-_FIRST = "look at the filter or reader before this one first: it failed"
 
 
 def sample_count(extent):
@@ -122,7 +115,7 @@ class GridAlgorithm(SourceAlgorithm):
         requests.SetNumberOfInformationObjects(port + 1)
         requests.SetInformationObject(port, request)
         if not producer.Update(port, requests):
-            raise WindingError(_FIRST)
+            raise WindingError(sentence("producerFailed"))
 
     def bounds_key(self):
         """Returns what bounds_of_source() depends on, except the source itself."""
@@ -199,8 +192,7 @@ class GridAlgorithm(SourceAlgorithm):
         for connection in self.connections():
             info = connection.GetProducer().GetOutputInformation(connection.GetIndex())
             if info.Has(Pipeline.TIME_RANGE()) and not info.Get(Pipeline.TIME_STEPS()):
-                raise WindingError("the input has a range of times, but no steps: give it steps, "
-                                   "or use Union Over All Times off")
+                raise WindingError(sentence("noTimeSteps"))
         return bool(self._times()[0])
 
     def find_bounds_over_all_times(self, out_info, ranks):
@@ -209,7 +201,7 @@ class GridAlgorithm(SourceAlgorithm):
         is_asked = self.values["BoundsOverAllTimes"] or self.is_of_all_times()
         is_asked = is_asked and self.values["UseInputBounds"]
         if is_asked:
-            ranks.require_same(times, _OTHER_TIMES)
+            ranks.require_same(times, sentence("otherTimesOnRanks"))
         if not (is_asked and times):
             self._bounds_of_times = (None, None)
             return
@@ -250,8 +242,7 @@ class GridAlgorithm(SourceAlgorithm):
             sizes = np.subtract(bounds[1::2], bounds[::2])
             is_box = np.isfinite(sizes).all() and (sizes >= 0).all() and sizes.max() > 0
             if self.values["UseInputBounds"] and not is_box:
-                raise WindingError("the input is empty, and has no bounds: give an input with "
-                                   "points, or give bounds (Sampling Bounds)")
+                raise WindingError(sentence("noBounds"))
         request.sampling_bounds = (ctypes.c_double * 6)(*bounds)
         request.sampling_dimensions = (ctypes.c_int32 * 3)(*self.values["SamplingDimensions"])
         request.voxel_size = self.value("VoxelSize")
@@ -278,11 +269,9 @@ class GridAlgorithm(SourceAlgorithm):
 
     def check_verification(self, has_values):
         if self.value("VerifySamples") > 0 and self.value("Method") == PARITY:
-            raise WindingError("parity is no winding number to be verified: use Method: Automatic, "
-                               "or verify no samples (Verify Samples)")
+            raise WindingError(sentence("parityIsNotVerified"))
         if self.value("VerifySamples") > 0 and not has_values:
-            raise WindingError(
-                "only winding numbers can be verified: use Generate Winding Number")
+            raise WindingError(sentence("onlyWindingIsVerified"))
 
     def verify(self, field, grid, extent, values):
         """Returns how far values are from the sum over all primitives, if that is wanted."""
@@ -357,7 +346,7 @@ class ImageAlgorithm(GridAlgorithm):
         if not self.is_of_all_times():
             return False
         times = self._times()[0]
-        ranks.require_same(times, _OTHER_TIMES)
+        ranks.require_same(times, sentence("otherTimesOnRanks"))
         if not times:
             return False
 
@@ -412,17 +401,13 @@ class ImageAlgorithm(GridAlgorithm):
         if image is not None and image.GetNumberOfPoints() > 0 and not (
                 _is_inside(image.GetExtent(), self.like.GetExtent())
                 and _place_of(image) == _place_of(self.like)):
-            raise WindingError(
-                "the image lies elsewhere than announced: give it as data (Like); the filter or "
-                "reader before it does not announce its extent, origin, spacing or direction")
+            raise WindingError(sentence("imageLiesElsewhere"))
 
     def _lay_on_like(self):
         if self.like.GetNumberOfPoints() == 0:
-            raise WindingError(
-                "the image to lie on is empty: give one with voxels (Like), or give none")
+            raise WindingError(sentence("imageIsEmpty"))
         if not has_right_angles(self.like):
-            raise WindingError("the image's axes are not at right angles: resample it first, or "
-                               "probe it instead (Winding Number Probe)")
+            raise WindingError(sentence("imageIsSkew"))
         self.grid, self.frame = grid_of_image(
             self.like, self.values["OutputAssociation"] == 1, MOST_SKEW_TO_LIE_ON,
             self.value("Coverage") != CENTER)
@@ -545,8 +530,7 @@ class ResultArrays:
         name = filter.values["ResultArrayName"] or "WindingNumber"
         self.inside_name = filter.values.get("InsideArrayName") or "Inside"
         if not (has_values or has_inside or has_distances):
-            raise WindingError("nothing is to be generated: use Generate Winding Number, or use "
-                               "Generate Inside, or use Generate Signed Distance")
+            raise WindingError(sentence("nothingToGenerate"))
         kind = np.float64 if get("OutputScalarType") == VTK_DOUBLE else np.float32
         wanted = [("fractions", "Coverage", np.float32, has_coverage),
                   ("distance", "SignedDistance", kind, has_distances),
@@ -558,8 +542,7 @@ class ResultArrays:
             names += ["NearestCell", "NearestBlock"]
         for array in names:
             if names.count(array) > 1:
-                raise WindingError(f"two arrays of the result are named '{array}': rename one "
-                                   "(Result Array Name)")
+                raise WindingError(sentence("equalArrayNames", array))
         self.arrays, self.views = {}, {}
         for member, array, dtype, is_wanted in wanted:
             if is_wanted:
@@ -598,8 +581,7 @@ class WindingNumberField(ImageAlgorithm):
 
     def check_union(self):
         if self.value("GenerateNearestCells"):
-            raise WindingError("nearest cells belong to one time of the input: use Generate "
-                               "Nearest Cells off, or use Union Over All Times off")
+            raise WindingError(sentence("nearestCellsOfTimes"))
 
     def unite_times(self, image, part):
         def level(values):

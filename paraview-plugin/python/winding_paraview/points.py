@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonDataModel import (
 
 from vtkwinding import _datasets, _library, _options
 from vtkwinding._errors import WindingError
+from vtkwinding._library import sentence
 
 from .algorithm import ESTIMATIONS, RUN, Algorithm, copied, declared, pointer, replace_leaves
 from .ranks import Ranks
@@ -93,8 +94,7 @@ class WindingNumberNormals(Algorithm):
                 are_finite &= np.isfinite(parts.normals).all(axis=1)
             count = int((~are_finite).sum())
             zero = int((are_unusable & are_finite).sum())
-            self.warn(f"{count + zero} of {len(areas)} points are unusable and have area 0 "
-                      f"({count} with NaN or infinite values, {zero} with normals of length 0)")
+            self.warn(sentence("unusablePoints", count + zero, len(areas), count, zero))
 
     def _normals_and_areas(self, parts):
         """Returns estimated normals, or None where there are some, and areas, NaN for none."""

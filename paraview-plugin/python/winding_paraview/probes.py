@@ -16,14 +16,15 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 
 from vtkwinding import _cells, _datasets, _library
+from vtkwinding._datasets import points_of
 from vtkwinding._errors import WindingError
+from vtkwinding._library import sentence
 from vtkwinding._parts import (
     centres_of,
     clipped_part,
     cut_distances,
     grid_of_image,
     inside_part,
-    points_of,
     points_of_cut_cells,
 )
 
@@ -88,7 +89,7 @@ class ProbeAlgorithm(SourceAlgorithm):
         with self.reporting(output, ranks=ranks):
             self.require_same_properties(ranks)
             if self.GetNumberOfInputConnections(1) == 0:
-                raise WindingError("there is no source of winding numbers: give one (Source)")
+                raise WindingError(sentence("noSource"))
             self.check()
             source = vtkDataObject.GetData(inputs[1])
             self.source_kind = kind_of(source)
@@ -132,8 +133,7 @@ class ProbeAlgorithm(SourceAlgorithm):
                 [np.asarray(one, float) for one in places]) if places else np.empty((0, 3))
             missing = int((~np.isfinite(samples).all(axis=1)).sum())
             if missing:
-                self.warn(f"{missing} of {len(samples)} queries are not finite; they have no "
-                          "winding number")
+                self.warn(sentence("queriesNotFinite", missing, len(samples)))
         answers = self.answers(leaves, counts, grid, samples)
         if not isinstance(data, vtkCompositeDataSet):
             output.ShallowCopy(next(answers))
@@ -170,10 +170,7 @@ class ProbeAlgorithm(SourceAlgorithm):
         low, high = np.array(info.bounds[::2]), np.array(info.bounds[1::2])
         if ((places >= low) & (places <= high)).all(axis=1).sum() >= _MANY:
             lower = self.values["InsideRule"] != 2 and self.values["WindingThreshold"] > 0.5
-            self.warn("no sample is inside: " + (
-                "choose a lower threshold (Winding Threshold), or " if lower else "") +
-                "look whether the source is closed (Winding Number Report); 100 or more lie within "
-                "the bounds of the source")
+            self.warn(sentence("noSampleIsAboveThreshold" if lower else "noSampleIsInside"))
 
     def places_on_grid(self, image):
         """Returns the samples of an image, in the coordinates of the field."""
@@ -192,9 +189,7 @@ class ProbeAlgorithm(SourceAlgorithm):
     def tell_empty(self, inside, sample):
         if len(inside) and not inside.any() and self.info.primitives:
             side = "outside" if self.values["InsideOut"] else "inside"
-            self.warn(f"no {sample} is {side}, so the result is empty: look whether "
-                      "dataset and source overlap, or take a finer dataset, or look whether the "
-                      "source is closed (Winding Number Report)")
+            self.warn(sentence("emptyPart", sample, side))
 
 
 def _split(values, counts):
@@ -261,9 +256,6 @@ class WindingNumberProbe(ProbeAlgorithm):
     def fractions(self, leaves):
         """Returns the shares of the cells that are inside, leaf by leaf."""
         cells = _cells.all_cells_of(leaves)
-        if cells.curved:
-            self.warn(f"{cells.curved} of {len(cells.types)} cells have curved faces; fractions "
-                      "take them as straight between corners")
         points = cells.points if self.frame is None else self.frame.positions(cells.points)
         found = np.empty(len(cells.types), np.float32)
         self.between(0.3, 1)

@@ -19,12 +19,12 @@ from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 from vtkwinding import _datasets, _library, fields
 from vtkwinding._errors import WindingError
-from vtkwinding._library import polygons_of
+from vtkwinding._library import polygons_of, sentence
 from vtkwinding._sources import kept_polygons, turned_polygons
 
 from .algorithm import RUN, Algorithm, add_number, add_text, copied, declared, pointer
 from .ranks import Ranks
-from .sources import ONLY_LINES, Parts, ask_for_part, cloud_of, gathered, source_in_words
+from .sources import Parts, ask_for_part, cloud_of, gathered, source_in_words
 from .surfaces import polydata_of
 
 _DOUBLE = 11
@@ -102,8 +102,7 @@ class WindingNumberReport(Algorithm):
             self.require_same_properties(ranks)
             self.check()
             if self.values["FixOrientation"] and not ranks.are_alone:
-                raise WindingError("one rank has not all faces to turn: use Fix Orientation off; "
-                                   "turn them in a program of one rank, before they are dealt out")
+                raise WindingError(sentence("facesOfOtherRanks"))
             self._report(vtkDataObject.GetData(inputs[0]), ranks, output, faults)
         return 1
 
@@ -161,8 +160,8 @@ class WindingNumberReport(Algorithm):
         add_number(output, "volume", report.volume)
         add_number(output, "area", report.area)
         add_number(output, "fractional_share", report.fractional_share)
-        add_number(output, "turned_cells", source.turned_cells, np.int64)
-        add_number(output, "left_out_cells", source.left_out_cells, np.int64)
+        add_number(output, "turned_cells", source.counts.turned, np.int64)
+        add_number(output, "left_out_cells", source.counts.left_out, np.int64)
         for name, count in (fixed or {}).items():
             add_number(output, name, count, np.int64)
         add_number(output, "bbox", list(report.bbox))
@@ -182,7 +181,7 @@ class WindingNumberReport(Algorithm):
         self.call("winding_examine_points", _library.array_of(points),
                   _library.array_of(parts.normals), RUN, ctypes.byref(report), note=advice.append)
         if _has_only_lines(data) and parts.normals is None:
-            advice = [ONLY_LINES]
+            advice = [sentence("onlyLines")]
         add_text(output, "kind", "points")
         _add_members(output, report, _OF_CLOUD)
         for name in _MEASURES_OF_CLOUD:
@@ -214,8 +213,7 @@ class WindingNumberReport(Algorithm):
     def _fixed_normals(self, source):
         """Returns the leaves with normals turned to agree with their field, and a count."""
         if source.normals is None and len(source.points):
-            raise WindingError("the points have no normals to be turned: use Fix Orientation off, "
-                               "or give normals; the filters estimate them themselves")
+            raise WindingError(sentence("noNormalsToTurn"))
         points = np.ascontiguousarray(source.points)
         turned = np.zeros(len(points), np.uint8)
         if len(points):

@@ -17,9 +17,9 @@ from vtkmodules.vtkCommonDataModel import (
 )
 
 from vtkwinding import _datasets, _library, fields
-from vtkwinding._checks import check_arrays, check_cells
+from vtkwinding._cells import check_arrays, check_cells
 from vtkwinding._errors import WindingError
-from vtkwinding._library import polygons_of
+from vtkwinding._library import polygons_of, sentence
 from vtkwinding._regions import (
     name_of,
     names_of_ids,
@@ -135,8 +135,7 @@ class Solids:
     def _of_blocks(self, composite):
         blocks = blocks_of(composite)
         if not self._ranks.same(len(blocks)):
-            raise WindingError("give all ranks the same blocks, of which each may have a part: "
-                               "they have different numbers of them")
+            raise WindingError(sentence("otherBlocksOnRanks"))
         _check_blocks(blocks, self._options["as_points"])
         found = []
         for number, (name, block) in enumerate(blocks, 1):
@@ -174,8 +173,7 @@ class Solids:
         kind = 0 if texts is None and not len(cells) else 2 if texts is None else 1
         kinds = set(np.concatenate(self._ranks.gather(np.array([kind]))).tolist())
         if kinds >= {1, 2}:
-            raise WindingError(f"'{name}' holds texts on some ranks, integers on others: choose "
-                               "another array of regions (Region Array)")
+            raise WindingError(sentence("regionsOfTwoTypes", name))
         if 1 in kinds:
             every = sorted(set(self._ranks.texts(texts or [])), key=str.encode)
             places = np.array([every.index(text) for text in texts or []], np.int64)
@@ -226,19 +224,13 @@ class Solids:
         has_points = np.concatenate(self._ranks.gather(np.array([leaf is not None])))
         if has_points.sum() > 1 and not self._ranks.same(
                 hash_of([leaf.points, leaf.corners]) if leaf is not None else 0):
-            raise WindingError(
-                "several ranks cannot find solids that are in parts: name an array of regions "
-                "(Region Array), or give blocks or files, or give one rank the whole surface")
+            raise WindingError(sentence("solidsInPartsOnRanks"))
         if leaf is not None and leaf.corners is None:
-            raise WindingError("give blocks or files, one for each solid: the input is points, and "
-                               "nothing tells which belong together")
+            raise WindingError(sentence("pointsAreNoSolids"))
         own = [] if leaf is None else self._ranks_parts(leaf)
         count = int(max(np.concatenate(self._ranks.gather(np.array([len(own)])))))
         if count > _MOST:
-            raise WindingError(
-                "the surface has too many parts for labels: name an array of regions (Region "
-                f"Array), or close the gaps between triangles; it has {count} by connectivity, and "
-                "labels are 1 to 65535")
+            raise WindingError(sentence("tooManyParts", count))
         names = self._ranks.texts(name for name, _, _ in own)
         nothing = [("", Parts(np.empty((0, 3))), False)] * (count - len(own))
         return [Solid(number, name, self._gathered(parts), is_open)
@@ -284,8 +276,7 @@ def _check_kind(data, as_points):
 
 def _check_leaf(leaf, name):
     if not isinstance(leaf, vtkPointSet):
-        raise WindingError(f"{name} is a {leaf.GetClassName()}, no surface or points: extract a "
-                           "surface first (Contour)")
+        raise WindingError(sentence("noSurfaceOrPoints", name, leaf.GetClassName()))
 
 
 def _check_blocks(blocks, as_points):
@@ -298,9 +289,7 @@ def _check_blocks(blocks, as_points):
         is_any_surface |= kind == 1
         bare = bare or (name if kind == 2 else "")
     if is_any_surface and bare and not as_points:
-        raise WindingError(
-            f"leave block '{bare}' out, for instance by Extract Block: it has points or lines "
-            "and no surface, as others have")
+        raise WindingError(sentence("bareBlock", f"block '{bare}'"))
 
 
 def _check(data):
@@ -324,15 +313,12 @@ def _regions_of(data, name):
     Cells that are no faces have -1 where there are texts."""
     if data.GetNumberOfCells() == 0:
         return np.empty(0), None
-    choose = "choose another array of regions (Region Array)"
     array = data.GetCellData().GetAbstractArray(name)
     if array is None:
         is_of_points = data.GetPointData().HasArray(name)
-        what = "an array of the points, not of the cells" if is_of_points else (
-            "no array of the cells")
-        raise WindingError(f"'{name}' is {what}: {choose}")
+        raise WindingError(sentence("regionsOfPoints" if is_of_points else "noRegions", name))
     if array.GetNumberOfComponents() != 1 or array.GetNumberOfTuples() < data.GetNumberOfCells():
-        raise WindingError(f"'{name}' has not one value for each cell: {choose}")
+        raise WindingError(sentence("otherRegionsLength", name))
     if isinstance(array, vtkStringArray):
         values = [array.GetValue(i) for i in range(data.GetNumberOfCells())]
         are_faces = _are_faces(data)
@@ -341,14 +327,13 @@ def _regions_of(data, name):
         return np.array([numbers[value] if is_face else -1
                          for value, is_face in zip(values, are_faces)], np.int64), texts
     if data.GetCellData().GetArray(name) is None:
-        raise WindingError(f"'{name}' holds neither integers nor texts: {choose}")
+        raise WindingError(sentence("regionsOfOtherType", name))
     values = _datasets.array_of(data, array).astype(float)
     with np.errstate(invalid="ignore"):
         are_wrong = _are_faces(data) & ~((np.abs(values) < 1e9) & (values == np.floor(values)))
     if are_wrong.any():
         cell = int(np.flatnonzero(are_wrong)[0])
-        raise WindingError(f"'{name}' has the value {values[cell]:g} at cell {cell}, and regions "
-                           f"are integers: {choose}")
+        raise WindingError(sentence("regionIsNoInteger", name, f"{values[cell]:g}", cell))
     return values, None
 
 
@@ -478,8 +463,7 @@ class WindingNumberLabels(ImageAlgorithm):
         if not known or not legend:
             return
         if legend != known:
-            raise WindingError("the solids are others at another time of the input: use Union Over "
-                               "All Times off; labels name one solid at all times")
+            raise WindingError(sentence("otherSolidsAtTimes"))
         all_arrays, others = self._attributes_of(image), self._attributes_of(part)
         take_better(all_arrays, others, "Label",
                     lambda theirs, ours: (ours == 0) & (theirs != 0))
@@ -578,18 +562,13 @@ class WindingNumberLabels(ImageAlgorithm):
         if solids.notes:
             self.warn("; ".join(solids.notes))
         if solids.are_numbered:
-            self.warn("labels are counted from 1, for regions are not all 1 to 65535: choose "
-                      "another offset (Label Offset); names of the labels say which regions they "
-                      "are")
+            self.warn(sentence("regionsAreNumbered"))
         if self.value("LabelOffset") and count and not solids.are_offset:
-            self.warn("labels are counted from 1, for solids have no numbers: leave the offset out "
-                      "(Label Offset)")
+            self.warn(sentence("solidsAreNumbered"))
         if solids.divides:
-            self.warn("the file's own names divide solids, which are parts by connectivity: label "
-                      f"what has names (Region Array); the names belong to '{solids.divides}Ids'")
+            self.warn(sentence("namesDivideSolids", f"{solids.divides}Ids"))
         if solids.repeated_names:
-            self.warn(f"solids have equal names: give them different ones; {solids.repeated_names} "
-                      f"of {count} got a number, for their names occurred before")
+            self.warn(sentence("equalNames", solids.repeated_names, count))
 
     def _describe_solids(self, solids, image):
         names = vtkStringArray()

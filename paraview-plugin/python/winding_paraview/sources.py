@@ -23,7 +23,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkExtentTranslator
 from vtkwinding import _datasets, _library, _options, fields
 from vtkwinding._attributes import Attributes
 from vtkwinding._errors import WindingError
-from vtkwinding._library import polygons_of
+from vtkwinding._library import polygons_of, sentence
 from vtkwinding._parts import level_of
 from vtkwinding._sources import framed, source_of
 
@@ -43,8 +43,6 @@ NO_SOURCE, MESH, CLOUD = range(3)
 DISTRIBUTED, REPLICATED = 1, 2
 AREAS_OF_MESH, CONSTANT_AREA, AREAS_OF_ARRAY = 1, 2, 3
 PROGRESS_OF_FIELD = 0.3
-_SURFACE_CELLS = "Use Surface Cells"
-ONLY_LINES = "the input has only lines, which bound nothing: make a surface of them first (Tube)"
 
 
 def _as_block(data):
@@ -158,12 +156,8 @@ def welded(parts, tolerance):
 
 def source_in_words(data, **options):
     """Returns a source, and notes on it. What is said has the words of ParaView."""
-    try:
-        source = source_of(data, **options)
-    except WindingError as error:
-        text = str(error).replace(", as by Contour", " (Contour)")
-        raise type(error)(text.replace("{surface_cells}", _SURFACE_CELLS)) from error
-    return source, [note.replace("{surface_cells}", _SURFACE_CELLS) for note in source.notes]
+    source = source_of(data, words=_library.PARAVIEW_WORDS, **options)
+    return source, source.notes(_library.PARAVIEW_WORDS)
 
 
 def _has_only_lines(source):
@@ -197,8 +191,7 @@ def cloud_of(filter, leaves, areas, notes=()):
         if leaf.corners is not None and (leaf.normals is None or areas == AREAS_OF_MESH):
             by_mesh = vertices_of(filter, leaf)
         if areas == AREAS_OF_MESH and by_mesh is None:
-            raise WindingError("areas from the mesh need triangles, not points alone: use Point "
-                               "Area Method: Voronoi")
+            raise WindingError(sentence("noAreasFromMesh"))
         normals.append(by_mesh[0] if leaf.normals is None and by_mesh else leaf.normals)
         found_areas.append(by_mesh[1] if areas == AREAS_OF_MESH else leaf.areas)
     has_areas = bool(leaves) and all(one is not None for one in found_areas)
@@ -225,12 +218,10 @@ def gathered(parts, ranks, distribution):
     kinds = np.concatenate(ranks.gather(np.array(
         [1 if parts.is_surface else 2 if len(parts.points) else 0])))
     if (kinds == 1).any() and (kinds == 2).any():
-        raise WindingError("extract the parts of one kind: the source is a surface on some ranks "
-                           "and a point cloud on others")
+        raise WindingError(sentence("surfacesAndCloudsOnRanks"))
     is_copy = ranks.same(hash_of(parts.arrays())) and distribution != DISTRIBUTED
     if distribution == REPLICATED and not is_copy:
-        raise WindingError("the source is not replicated: the ranks have different data: use "
-                           "Source Distribution: Automatic")
+        raise WindingError(sentence("notReplicated"))
     if is_copy:
         return parts
     is_surface, is_cloud = (kinds == 1).any(), (kinds == 2).any()
@@ -278,8 +269,7 @@ class SourceAlgorithm(Algorithm):
         """Refuses cells of other ranks, which have no numbers here."""
         if is_asked_for and not (
                 ranks.are_alone or self.value("SourceDistribution") == REPLICATED):
-            raise WindingError("cells of other ranks have no numbers here: use Source "
-                               "Distribution: Replicated, or run one rank")
+            raise WindingError(sentence("cellsOfOtherRanks"))
 
     def nearest(self, data, *, transfer, numbers):
         """Returns what results take over from a source."""
@@ -409,7 +399,7 @@ class SourceAlgorithm(Algorithm):
     def field_of(self, parts, *, note):
         """Returns the field of the library for parts: a handle."""
         if parts.are_lines:
-            raise WindingError(ONLY_LINES)
+            raise WindingError(sentence("onlyLines"))
         parts = welded(parts, self.value("WeldTolerance"))
         if self.frame is not None:
             parts = framed(parts, self.frame)

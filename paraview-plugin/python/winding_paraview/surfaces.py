@@ -15,6 +15,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 from vtkwinding import _datasets, _library, _options
 from vtkwinding._attributes import Attributes
 from vtkwinding._errors import WindingError
+from vtkwinding._library import sentence
 
 from .algorithm import RUN, Algorithm, copied, declared, new_array
 from .grids import VTK_UNSIGNED_CHAR, GridAlgorithm, sample_count, whole_extent
@@ -309,8 +310,7 @@ class WindingNumberVoxels(Algorithm):
         if array is None:
             array, of_cells = cells.GetScalars(), True
         if array is None or array.GetNumberOfComponents() != 1:
-            raise WindingError("the image has no scalar array: choose an array (Scalars), or "
-                               "compute one (Winding Number Field); it tells inside from outside")
+            raise WindingError(sentence("noScalars"))
         return array, of_cells
 
     def _make(self, image, output):
@@ -319,9 +319,7 @@ class WindingNumberVoxels(Algorithm):
         values = np.ascontiguousarray(_datasets.array_of(image, array))
         total = math.prod(counts)
         if len(values) != total:
-            raise WindingError(f"'{array.GetName()}' is no array of points or cells: choose "
-                               f"another array (Scalars); it has {len(values)} values for {total} "
-                               "voxels")
+            raise WindingError(sentence("otherArrayLength", array.GetName(), len(values), total))
         by_label = self.value("ByLabel")
         are_labels = by_label == 1 or (by_label == 2 and self._are_called_labels(array, values))
         voxels = self._labels(array, values) if are_labels else self._sides(values)
@@ -382,10 +380,7 @@ class WindingNumberVoxels(Algorithm):
             are_right = (numbers >= 0) & (numbers <= 65535) & (numbers == np.floor(numbers))
         if not are_right.all():
             wrong = numbers[np.flatnonzero(~are_right)[0]]
-            raise WindingError(
-                f"'{array.GetName()}' is no array of labels: choose another array (Scalars), or "
-                f"use By Label: Off; labels are integers from 0 to 65535, and it has the value "
-                f"{wrong:g}")
+            raise WindingError(sentence("noLabels", array.GetName(), f"{wrong:g}"))
         return values.astype(np.uint16)
 
     def _add_data(self, image, of_cells, arrays, are_labels, counts, places, corners, output):

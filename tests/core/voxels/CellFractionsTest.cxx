@@ -50,7 +50,7 @@ public:
   {
     winding::CellShape shape;
     shape.points = points;
-    EXPECT_TRUE(shape.addLinearFaces(type));
+    EXPECT_TRUE(shape.addFacesOf(type));
     shapes_.push_back(shape);
   }
   void add(const winding::CellShape& shape) { shapes_.push_back(shape); }
@@ -299,7 +299,7 @@ CellList cellsOfAllTypes(double s)
   Point top(-s / 2, 0, 0);
   winding::CellShape box;
   box.points = first;
-  EXPECT_TRUE(box.addLinearFaces(hexahedron));
+  EXPECT_TRUE(box.addFacesOf(hexahedron));
   for (std::size_t face = 0; face < 6; ++face)
   {
     const int* const ids = box.faceCorners.data() + box.faceEnds[face];
@@ -534,7 +534,7 @@ TEST(CellFractions, AreNaNWhereFacesDoNotClose)
   const auto field = fieldOf(cube(Point(-2, -2, -2), Point(0.5, 2, 2)));
   winding::CellShape box;
   box.points = cornersOf({0, 0, 0}, {1, 1, 1});
-  EXPECT_TRUE(box.addLinearFaces(hexahedron));
+  EXPECT_TRUE(box.addFacesOf(hexahedron));
   EXPECT_TRUE(box.isClosed());
   winding::CellShape lacking, turned, inverted, doubled;
   for (winding::CellShape* shape : {&lacking, &turned, &inverted})

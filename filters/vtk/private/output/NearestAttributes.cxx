@@ -6,6 +6,7 @@
 #include "pipeline/FreeMemory.h"
 #include "pipeline/Ranks.h"
 #include "private/source/SourceParts.h"
+#include "tasks/Sentences.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -629,9 +630,7 @@ void refuseNearestOfOtherRanks(const Ranks& ranks, SourceDistribution distributi
 {
   if (!ranks.isAlone() && distribution != SourceDistribution::replicated)
   {
-    constexpr int replicated = static_cast<int>(SourceDistribution::replicated);
-    throw Refusal(Message("cells of other ranks have no numbers here",
-      {{"", {{Parameter::sourceDistribution, replicated}}}, {"run one rank", {}}}));
+    throw Refusal(messageOf(Sentence::cellsOfOtherRanks));
   }
 }
 

@@ -6,6 +6,7 @@
 #include "base/Refusal.h"
 #include "pipeline/FreeMemory.h"
 #include "private/source/ContentHash.h"
+#include "tasks/Sentences.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -44,8 +45,7 @@ void checkNames(const Names& names)
   {
     if (exists && !taken.insert(name).second)
     {
-      throw Refusal(Message("two arrays of the result are named '" + name + "'",
-        {{"rename one", {Parameter::resultArrayName}}}));
+      throw Refusal(messageOf(Sentence::equalArrayNames, {name}));
     }
   }
 }
@@ -91,9 +91,7 @@ ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
 {
   if (!options.withValues && !options.withInside && !options.withDistances)
   {
-    throw Refusal(Message("nothing is to be generated",
-      {{"", {{Parameter::generateWindingNumber, 1}}}, {"", {{Parameter::generateInside, 1}}},
-        {"", {{Parameter::generateSignedDistance, 1}}}}));
+    throw Refusal(messageOf(Sentence::nothingToGenerate));
   }
   const std::string name = options.name.empty() ? "WindingNumber" : options.name;
   checkNames({{options.withValues, name}, {options.withInside, options.insideName},

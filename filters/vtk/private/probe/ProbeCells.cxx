@@ -3,8 +3,7 @@
 #include "private/probe/ProbeCells.h"
 
 #include "private/probe/ProbeQueries.h"
-#include "private/source/CellTypes.h"
-#include "private/source/CurvedCells.h"
+#include "private/source/CellChecks.h"
 
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
@@ -25,28 +24,18 @@ namespace winding
 namespace
 {
 
-std::size_t countCurved(vtkUnstructuredGrid* mesh)
-{
-  std::size_t count = 0;
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
-  {
-    count += isCurved(mesh->GetCellType(cell)) ? 1 : 0;
-  }
-  return count;
-}
-
 void addPolyhedron(vtkUnstructuredGrid* mesh, vtkIdType cell, vtkIdList* own, CellShape& shape)
 {
-  vtkNew<vtkIdList> stream; // of the number of faces, then of each face its size and its ids
-  mesh->GetFaceStream(cell, stream);
+  std::vector<std::int64_t> ids;
+  appendFaces(mesh, cell, ids);
   std::vector<int> face;
-  for (vtkIdType at = 1; at < stream->GetNumberOfIds();)
+  for (std::size_t at = 1; at < ids.size();)
   {
-    const vtkIdType end = at + 1 + stream->GetId(at);
+    const std::size_t end = at + 1 + static_cast<std::size_t>(ids[at]);
     face.clear();
     for (++at; at < end; ++at)
     {
-      face.push_back(static_cast<int>(own->IsId(stream->GetId(at))));
+      face.push_back(static_cast<int>(own->IsId(ids[at])));
     }
     shape.addFace(face.data(), static_cast<int>(face.size()));
   }
@@ -90,14 +79,7 @@ ProbeCells::ProbeCells(const ProbeQueries& queries)
 {
   for (const ProbeLeaf& leaf : queries.leaves())
   {
-    auto* mesh = vtkUnstructuredGrid::SafeDownCast(leaf.data);
-    const std::size_t curved = mesh ? countCurved(mesh) : 0;
-    curved_ += curved;
     data_.emplace_back(leaf.data);
-    if (curved > 0)
-    {
-      data_.back() = straightened(mesh);
-    }
     const vtkIdType count = leaf.data->GetNumberOfCells();
     starts_.push_back(starts_.back() + static_cast<std::size_t>(count));
     if (count > 0)
@@ -136,7 +118,7 @@ void ProbeCells::get(std::size_t cell, CellShape& shape) const
   }
   else
   {
-    shape.addLinearFaces(type);
+    shape.addFacesOf(type);
   }
   if (!frame_.isStraight())
   {

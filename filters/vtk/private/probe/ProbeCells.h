@@ -31,14 +31,10 @@ public:
   std::size_t size() const override { return starts_.back(); }
   void get(std::size_t cell, CellShape& shape) const override;
 
-  /// The number of cells with curved faces.
-  std::size_t curved() const { return curved_; }
-
 private:
   const ImageFrame& frame_;
-  std::vector<vtkSmartPointer<vtkDataSet>> data_; ///< of the leaves, or straightened
+  std::vector<vtkSmartPointer<vtkDataSet>> data_; ///< of the leaves
   std::vector<std::size_t> starts_ = {0};         ///< by leaf, its first cell; and the end
-  std::size_t curved_ = 0;
 };
 
 } // namespace winding

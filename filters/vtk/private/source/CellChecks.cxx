@@ -2,18 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/source/CellChecks.h"
 
-#include "base/Refusal.h"
+#include "mesh/CellChecks.h"
+#include "mesh/CellTypes.h"
 #include "pipeline/VtkVersions.h"
-#include "private/source/CellTypes.h"
 
+#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -30,12 +33,13 @@ namespace
 
 [[noreturn]] void refuse(const std::string& name, const std::string& fault)
 {
-  throw Refusal("mend the data set: " + name + " " + fault);
+  CellChecks(name, 0).refuse(fault);
 }
 
-[[noreturn]] void refuseCell(const std::string& name, vtkIdType cell, const std::string& fault)
+/// Returns whether the VTK at hand has cells of a type.
+bool isKnownToVtk(int type)
 {
-  refuse("cell " + std::to_string(cell) + " of " + name, fault);
+  return vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type)) != nullptr;
 }
 
 void checkLengths(
@@ -50,14 +54,6 @@ void checkLengths(
                      "' with " + std::to_string(array->GetNumberOfTuples()) + " values for " +
                      std::to_string(count) + " " + of);
     }
-  }
-}
-
-void checkOffsets(vtkCellArray* cells, const std::string& name)
-{
-  if (cells && !cells->IsValid())
-  {
-    refuse(name, "has cells whose offsets lead out of their list of ids");
   }
 }
 
@@ -105,32 +101,9 @@ void checkCoordinates(vtkRectilinearGrid* grid, const std::string& name)
   }
 }
 
-void checkTypes(vtkUnstructuredGrid* grid, const std::string& name)
-{
-  vtkDataArray* types = cellTypesOf(grid);
-  const vtkIdType cells = grid->GetNumberOfCells();
-  if (cells > 0 && (!types || types->GetNumberOfTuples() < cells))
-  {
-    refuse(name, "has " + std::to_string(cells) + " cells but types for " +
-                   std::to_string(types ? types->GetNumberOfTuples() : 0));
-  }
-}
-
-void checkIds(const vtkIdType* first, const vtkIdType* last, vtkIdType cell, vtkIdType points,
-  const std::string& name)
-{
-  const vtkIdType* const bad =
-    std::find_if(first, last, [points](vtkIdType id) { return id < 0 || id >= points; });
-  if (bad != last)
-  {
-    refuseCell(
-      name, cell, "refers to point " + std::to_string(*bad) + " of " + std::to_string(points));
-  }
-}
-
 /// vtkPolyData gives no cell at all where one of them has too few points for its kind, which
 /// matters only where cells are used.
-void checkPolyDataCells(vtkPolyData* polyData, bool areUsed, const std::string& name)
+void checkPolyDataCells(vtkPolyData* polyData, bool areUsed, const CellChecks& checks)
 {
   const std::pair<vtkCellArray*, vtkIdType> kinds[] = {{polyData->GetVerts(), 1},
     {polyData->GetLines(), 2}, {polyData->GetPolys(), 3}, {polyData->GetStrips(), 3}};
@@ -144,33 +117,10 @@ void checkPolyDataCells(vtkPolyData* polyData, bool areUsed, const std::string& 
       cells->GetCellAtId(i, size, ids);
       if (areUsed && size < fewest)
       {
-        refuseCell(name, cell,
-          "has " + std::to_string(size) + " points and needs " + std::to_string(fewest));
+        checks.refuseCell(
+          cell, "has " + std::to_string(size) + " points and needs " + std::to_string(fewest));
       }
-      checkIds(ids, ids + size, cell, polyData->GetNumberOfPoints(), name);
-    }
-  }
-}
-
-/// Checks that the faces of a polyhedron have no other points than it has itself.
-void checkFaces(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* ids, const std::string& name)
-{
-  std::vector<vtkIdType> own(ids->begin(), ids->end());
-  std::sort(own.begin(), own.end());
-  vtkNew<vtkIdList> stream; // of the number of faces, then of each face its size and its ids
-  grid->GetFaceStream(cell, stream);
-  vtkIdType at = 1;
-  while (at < stream->GetNumberOfIds())
-  {
-    const vtkIdType end = at + 1 + stream->GetId(at);
-    for (++at; at < end; ++at)
-    {
-      if (!std::binary_search(own.begin(), own.end(), stream->GetId(at)))
-      {
-        refuseCell(name, cell,
-          "is a polyhedron with a face at point " + std::to_string(stream->GetId(at)) +
-            ", which is none of its points");
-      }
+      checks.checkIds(cell, ids, ids + size);
     }
   }
 }
@@ -188,38 +138,38 @@ const double* degreesOf(vtkUnstructuredGrid* grid, vtkIdType cell, double* degre
 }
 
 void checkGridCell(
-  vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* ids, const std::string& name)
+  vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* ids, const CellChecks& checks)
 {
   const int type = grid->GetCellType(cell);
-  const std::string ofCell = "cell " + std::to_string(cell) + " of " + name;
-  if (dimensionOf(type) < 0)
-  {
-    throw Refusal(Message(ofCell + " has unknown type " + std::to_string(type),
-      {{"use a VTK that knows it", {}}, {"leave these cells out", {}}}));
-  }
+  const bool isPolyhedron = type == polyhedronType;
+  double degrees[3];
+  checks.checkType(cell, type, ids->GetNumberOfIds(), degreesOf(grid, cell, degrees));
+  std::vector<std::int64_t> faces;
   if (!hasFacesOfItsType(grid, cell))
   {
-    if (type == VTK_POLYHEDRON)
+    if (!isPolyhedron)
     {
-      throw Refusal(Message(ofCell + " is a polyhedron without faces",
-        {{"read it with a newer VTK, if one has written it", {}}, {"give it faces", {}}}));
+      checks.refuseCell(cell, "has faces that are not there, or none where it needs some");
     }
-    refuseCell(name, cell, "has faces that are not there, or none where it needs some");
   }
-  double degrees[3];
-  if (type == VTK_POLYHEDRON)
+  else if (isPolyhedron)
   {
-    checkFaces(grid, cell, ids, name);
+    appendFaces(grid, cell, faces);
   }
-  else if (!canHavePoints(type, ids->GetNumberOfIds(), degreesOf(grid, cell, degrees)))
+  if (isPolyhedron)
   {
-    refuseCell(name, cell,
-      "has " + std::to_string(ids->GetNumberOfIds()) + " points, which a cell of type " +
-        std::to_string(type) + " cannot have");
+    checks.checkPolyhedron(cell, faces, {ids->begin(), ids->end()});
   }
 }
 
 } // namespace
+
+void appendFaces(vtkUnstructuredGrid* mesh, vtkIdType cell, std::vector<std::int64_t>& ids)
+{
+  vtkNew<vtkIdList> faces;
+  mesh->GetFaceStream(cell, faces);
+  ids.insert(ids.end(), faces->begin(), faces->end());
+}
 
 void checkExtent(const int* extent, const std::string& name)
 {
@@ -236,21 +186,23 @@ void checkExtent(const int* extent, const std::string& name)
 
 void checkStructure(vtkDataSet* data, const std::string& name)
 {
+  const CellChecks checks(name, data->GetNumberOfPoints());
   if (auto* polyData = vtkPolyData::SafeDownCast(data))
   {
     for (vtkCellArray* cells :
       {polyData->GetVerts(), polyData->GetLines(), polyData->GetPolys(), polyData->GetStrips()})
     {
-      checkOffsets(cells, name);
+      checks.checkOffsets(!cells || cells->IsValid());
     }
   }
   else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
     for (vtkCellArray* cells : {grid->GetCells(), faceListsOf(grid)[0], faceListsOf(grid)[1]})
     {
-      checkOffsets(cells, name);
+      checks.checkOffsets(!cells || cells->IsValid());
     }
-    checkTypes(grid, name);
+    const vtkDataArray* const types = cellTypesOf(grid);
+    checks.checkTypes(grid->GetNumberOfCells(), types ? types->GetNumberOfTuples() : 0);
   }
   else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
   {
@@ -280,20 +232,29 @@ void checkCells(vtkDataSet* data, bool areUsed, const std::string& name)
   {
     return; // images and the like compute their cells
   }
+  const CellChecks checks(name, data->GetNumberOfPoints());
   if (auto* polyData = vtkPolyData::SafeDownCast(data))
   {
-    checkPolyDataCells(polyData, areUsed, name);
+    checkPolyDataCells(polyData, areUsed, checks);
     return;
   }
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  std::vector<char> isKnown(256, 0);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
+    const int type = data->GetCellType(cell);
+    char& isTypeKnown = isKnown[static_cast<std::size_t>(type) % isKnown.size()];
+    if (!isTypeKnown && !isKnownToVtk(type))
+    {
+      checks.refuseType(cell, type); // VTK has no cell to ask
+    }
+    isTypeKnown = 1;
     data->GetCellPoints(cell, ids);
-    checkIds(ids->begin(), ids->end(), cell, data->GetNumberOfPoints(), name);
+    checks.checkIds(cell, ids->begin(), ids->end());
     if (grid)
     {
-      checkGridCell(grid, cell, ids, name);
+      checkGridCell(grid, cell, ids, checks);
     }
   }
 }

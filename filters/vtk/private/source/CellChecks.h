@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "vtkType.h"
 #include "vtkWindingABINamespace.h"
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
+class vtkUnstructuredGrid;
 VTK_ABI_NAMESPACE_END
 
 namespace winding
@@ -44,5 +48,9 @@ void checkUnusedCells(vtkDataSet* data, const std::string& name);
 
 /// Refuses arrays with fewer values than there are points or cells.
 void checkArrays(vtkDataSet* data, const std::string& name);
+
+/// Appends the faces of a polyhedron as MeshSkin.h has them: their number, then of each the number
+/// of its points and their ids.
+void appendFaces(vtkUnstructuredGrid* mesh, vtkIdType cell, std::vector<std::int64_t>& ids);
 
 } // namespace winding

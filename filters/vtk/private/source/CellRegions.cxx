@@ -5,6 +5,7 @@
 #include "base/Digits.h"
 #include "base/Parameter.h"
 #include "base/Refusal.h"
+#include "tasks/Sentences.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -27,12 +28,6 @@ namespace winding
 namespace
 {
 
-/// Returns the refusal of an array of regions.
-Refusal refusedRegions(const std::string& fault)
-{
-  return Refusal(Message(fault, {{"choose another array of regions", {Parameter::regionArray}}}));
-}
-
 /// The array of regions. Throws Refusal if there is none of that name, or not for all cells.
 vtkAbstractArray* regionsOf(vtkPointSet* data, const std::string& name)
 {
@@ -40,18 +35,16 @@ vtkAbstractArray* regionsOf(vtkPointSet* data, const std::string& name)
   if (!regions)
   {
     const bool isOfPoints = data->GetPointData()->HasArray(name.c_str()) != 0;
-    throw refusedRegions(
-      "'" + name + "' is " +
-      (isOfPoints ? "an array of the points, not of the cells" : "no array of the cells"));
+    throw Refusal(messageOf(isOfPoints ? Sentence::regionsOfPoints : Sentence::noRegions, {name}));
   }
   if (regions->GetNumberOfComponents() != 1 ||
       regions->GetNumberOfTuples() < data->GetNumberOfCells())
   {
-    throw refusedRegions("'" + name + "' has not one value for each cell");
+    throw Refusal(messageOf(Sentence::otherRegionsLength, {name}));
   }
   if (!vtkDataArray::SafeDownCast(regions) && !vtkStringArray::SafeDownCast(regions))
   {
-    throw refusedRegions("'" + name + "' holds neither integers nor texts");
+    throw Refusal(messageOf(Sentence::regionsOfOtherType, {name}));
   }
   return regions;
 }
@@ -62,8 +55,8 @@ int regionOf(vtkDataArray* regions, vtkIdType cell)
   const double value = regions->GetComponent(cell, 0);
   if (!(std::abs(value) < 1e9) || value != std::floor(value))
   {
-    throw refusedRegions(joined("'", regions->GetName(), "' has the value ", value, " at cell ",
-      cell, ", and regions are integers"));
+    throw Refusal(messageOf(
+      Sentence::regionIsNoInteger, {regions->GetName(), joined(value), std::to_string(cell)}));
   }
   return static_cast<int>(value);
 }
@@ -127,7 +120,7 @@ CellRegions::CellRegions(vtkPointSet* data, vtkIdType first, vtkIdType last,
   const bool areTexts = std::count(kinds.begin(), kinds.end(), 1) > 0;
   if (areTexts && std::count(kinds.begin(), kinds.end(), 2) > 0)
   {
-    throw refusedRegions("'" + array + "' holds texts on some ranks, integers on others");
+    throw Refusal(messageOf(Sentence::regionsOfTwoTypes, {array}));
   }
   if (areTexts)
   {

@@ -4,6 +4,7 @@
 
 #include "base/Refusal.h"
 #include "private/source/CellChecks.h"
+#include "tasks/Sentences.h"
 
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -78,13 +79,11 @@ ImageGrid requiredGridOf(vtkImageData* image, bool atCells, bool areVoxels)
   checkStructure(image, "the image to lie on");
   if (image->GetNumberOfPoints() == 0)
   {
-    throw Refusal(Message("the image to lie on is empty",
-      {{"give one with voxels", {Parameter::like}}, {"give none", {}}}));
+    throw Refusal(messageOf(Sentence::imageIsEmpty));
   }
   if (!hasRightAngles(image, mostSkewToLieOn))
   {
-    throw Refusal(Message("the image's axes are not at right angles",
-      {{"resample it first", {}}, {"probe it instead", {Parameter::probe}}}));
+    throw Refusal(messageOf(Sentence::imageIsSkew));
   }
   const ImageGrid result = layOn(image, atCells, areVoxels);
   checkGrid(result.grid);

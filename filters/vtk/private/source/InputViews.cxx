@@ -12,6 +12,7 @@
 #include "private/source/SourceParts.h"
 #include "source/Sanitize.h"
 #include "source/SnappedPoints.h"
+#include "tasks/Sentences.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
@@ -35,25 +36,6 @@ namespace
 {
 
 constexpr char numbersName[] = "winding number in data set";
-
-/// Returns a data set with the numbers of its cells and points as arrays, which come along when VTK
-/// makes other data sets of it.
-vtkSmartPointer<vtkPointSet> withNumbers(vtkPointSet* leaf)
-{
-  const auto copy = vtkSmartPointer<vtkPointSet>::Take(leaf->NewInstance());
-  copy->ShallowCopy(leaf);
-  const auto number = [](vtkDataSetAttributes* attributes, vtkIdType count)
-  {
-    vtkNew<vtkIdTypeArray> numbers;
-    numbers->SetName(numbersName);
-    numbers->SetNumberOfValues(count);
-    std::iota(numbers->GetPointer(0), numbers->GetPointer(0) + count, vtkIdType{0});
-    attributes->AddArray(numbers);
-  };
-  number(copy->GetCellData(), leaf->GetNumberOfCells());
-  number(copy->GetPointData(), leaf->GetNumberOfPoints());
-  return copy;
-}
 
 } // namespace
 
@@ -99,8 +81,7 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name, unsigned 
   auto* points = vtkPointSet::SafeDownCast(leaf);
   if (!points)
   {
-    throw Refusal(Message(name + " is a " + leaf->GetClassName() + ", no surface or points",
-      {{"extract a surface first", {Parameter::contour}}}));
+    throw Refusal(messageOf(Sentence::noSurfaceOrPoints, {name, leaf->GetClassName()}));
   }
   if (points->GetNumberOfPoints() == 0)
   {
@@ -131,7 +112,7 @@ void InputViews::addLeaf(vtkDataObject* leaf, const std::string& name, unsigned 
   vtkSmartPointer<vtkPointSet> numbered = points;
   if (keepsNumbers_ && mayRenumber)
   {
-    numbered = withNumbers(points);
+    numbered = withNumbers(points, numbersName);
   }
   const auto own = ownPartOf(numbered, options_.takesFaces, name, counts_);
   if (own->GetNumberOfPoints() == 0)
@@ -385,8 +366,7 @@ void InputViews::compare(Ranks& ranks, SourceDistribution distribution)
   };
   if (has(surface) && has(cloud))
   {
-    throw Refusal("extract the parts of one kind: the source is a surface on some ranks and a "
-                  "point cloud on others");
+    throw Refusal(messageOf(Sentence::surfacesAndCloudsOnRanks));
   }
   isSurface_ = has(surface);
   // Parts of different sizes are no copies, and looking at them takes no time.
@@ -397,8 +377,7 @@ void InputViews::compare(Ranks& ranks, SourceDistribution distribution)
       { return isSurface_ ? hashOf(this->ownTriangles()) : hashOf(this->ownOrientedPoints()); }));
   if (distribution == SourceDistribution::replicated && !areCopies_)
   {
-    throw Refusal(Message("the source is not replicated: the ranks have different data",
-      {{"", {{Parameter::sourceDistribution, 0}}}}));
+    throw Refusal(messageOf(Sentence::notReplicated));
   }
 }
 
@@ -480,8 +459,7 @@ std::vector<OrientedPointsView> InputViews::findOrientedPoints()
     }
     if (options_.areas == AreaSource::mesh && !isMesh)
     {
-      throw Refusal(Message("areas from the mesh need triangles, not points alone",
-        {{"", {{Parameter::pointAreaMethod, 0}}}}));
+      throw Refusal(messageOf(Sentence::noAreasFromMesh));
     }
     OrientedPointsView view;
     view.positions = this->vectorsOf(leaf->GetPoints()->GetData());
@@ -516,8 +494,7 @@ std::vector<OrientedPointsView> InputViews::findOrientedPoints()
 
 Message onlyLines()
 {
-  return {"the input has only lines, which bound nothing",
-    {{"make a surface of them first", {Parameter::tube}}}};
+  return messageOf(Sentence::onlyLines);
 }
 
 std::vector<VectorsView> InputViews::points()

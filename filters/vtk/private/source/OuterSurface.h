@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "base/Message.h"
+#include "mesh/CellCounts.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "vtkWindingABINamespace.h"
 
-#include <cstddef>
 #include <string>
-#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkPointSet;
@@ -20,18 +18,6 @@ VTK_ABI_NAMESPACE_END
 
 namespace winding
 {
-
-/// Counts of cells whose part in a source may differ from what their owner expects.
-struct CellCounts
-{
-  std::size_t turned = 0;  ///< cells with volume at the outer surface, ordered the other way round
-  std::size_t leftOut = 0; ///< cells of two dimensions where there are three, or the latter
-  std::size_t loose = 0;   ///< lines and single points, where there are faces or cells with volume
-  std::size_t flat = 0;    ///< curved faces that no division brings near enough to their shape
-};
-
-/// Returns what a user should know of cells that were counted.
-std::vector<Message> notesOn(const CellCounts& counts);
 
 /// Counts the lines and single points of a mesh.
 void countLoose(vtkPointSet* mesh, CellCounts& counts);
@@ -50,14 +36,13 @@ bool isGhostCell(vtkUnsignedCharArray* flags, vtkIdType cell);
 vtkSmartPointer<vtkPointSet> ownCellsOf(
   vtkPointSet* mesh, bool takesFaces, const std::string& name, CellCounts& counts);
 
+/// Returns a mesh with the numbers of its cells and points as arrays of a name, which come along
+/// when VTK makes other data sets of it.
+vtkSmartPointer<vtkPointSet> withNumbers(vtkPointSet* mesh, const char* name);
+
 /**
- * Returns the outer surface of a mesh whose cells were checked (CellChecks.h).
- *
- * - A face of a cell with volume is turned away from its own cell. A polyhedron's faces are first
- *   oriented like each other. So any order of nodes will do.
- * - Cells that touch have no wall between them, whether they share points or not (Seams.h).
- * - Curved faces are divided until they are within a thousandth of the mesh's diagonal of their
- *   shape, or into 32 pieces along each edge. `keepsPoints` has each divided at its own nodes only.
+ * Returns the outer surface of a mesh as MeshSkin.h has it. Its cells were checked (CellChecks.h).
+ * `keepsPoints` has curved faces divided at their own nodes only.
  */
 vtkSmartPointer<vtkPolyData> outerSurfaceOf(
   vtkPointSet* mesh, bool keepsPoints, CellCounts& counts);

@@ -5,6 +5,7 @@
 #include "base/Refusal.h"
 #include "cloud/ConsistentNormals.h"
 #include "private/source/PointArrays.h"
+#include "tasks/Sentences.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -22,9 +23,7 @@ vtkDataArray* realNormalsOf(vtkPolyData* leaf, const std::string& name)
   vtkDataArray* const normals = normalsOf(leaf, name);
   if (!normals)
   {
-    throw Refusal(Message("the points have no normals to be turned",
-      {{"", {{Parameter::fixOrientation, 0}}}, {"give normals", {}}},
-      "the filters estimate them themselves"));
+    throw Refusal(messageOf(Sentence::noNormalsToTurn));
   }
   if (normals->GetDataType() != VTK_FLOAT && normals->GetDataType() != VTK_DOUBLE)
   {

@@ -4,6 +4,7 @@
 
 #include "base/Refusal.h"
 #include "private/source/SourceParts.h"
+#include "tasks/Sentences.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -94,9 +95,8 @@ public:
     auto* points = vtkPointSet::SafeDownCast(block);
     if (!points)
     {
-      throw Refusal(Message(name + " is a " + (block ? block->GetClassName() : "block of no data") +
-                              ", no surface or points",
-        {{"extract a surface first", {Parameter::contour}}}));
+      throw Refusal(messageOf(
+        Sentence::noSurfaceOrPoints, {name, block ? block->GetClassName() : "block of no data"}));
     }
     hasPoints_ |= points->GetNumberOfPoints() > 0;
     hasFaces_ |= hasFaces(points);
@@ -131,8 +131,7 @@ void checkSolids(vtkDataObject* input, bool asPoints)
   }
   if (isAnySurface && !bare.empty() && !asPoints)
   {
-    throw Refusal("leave " + bare + " out, for instance by Extract Block: it has points or lines " +
-                  "and no surface, as others have");
+    throw Refusal(messageOf(Sentence::bareBlock, {bare}));
   }
 }
 

@@ -11,6 +11,7 @@
 #include "private/source/RegionCells.h"
 #include "private/source/SolidBlocks.h"
 #include "private/source/SourceParts.h"
+#include "tasks/Sentences.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -133,8 +134,7 @@ void Solids::addBlocks(vtkDataObject* composite, Ranks& ranks)
     areEqual(ranks.allGather([&]() -> Ranks::Number { return blocks.size(); }));
   if (!areAsMany)
   {
-    throw Refusal("give all ranks the same blocks, of which each may have a part: they have "
-                  "different numbers of them");
+    throw Refusal(messageOf(Sentence::otherBlocksOnRanks));
   }
   for (SolidBlock& block : blocks)
   {
@@ -174,9 +174,7 @@ void Solids::addParts(vtkPointSet* data, vtkFieldData* fields, const SolidOption
 {
   if (!ranks.isAlone() && !isWhole(data, ranks))
   {
-    throw Refusal(Message("several ranks cannot find solids that are in parts",
-      {{"name an array of regions", {Parameter::regionArray}}, {"give blocks or files", {}},
-        {"give one rank the whole surface", {}}}));
+    throw Refusal(messageOf(Sentence::solidsInPartsOnRanks));
   }
   std::vector<std::string> names;
   ranks.agree(
@@ -239,9 +237,7 @@ void Solids::findParts(vtkPointSet* data, const SolidOptions& options, Executor&
   }
   if (!hasFaces(data))
   {
-    throw Refusal(
-      "give blocks or files, one for each solid: the input is points, and nothing tells which "
-      "belong together");
+    throw Refusal(messageOf(Sentence::pointsAreNoSolids));
   }
   if (!vtkPolyData::SafeDownCast(data))
   {
@@ -251,11 +247,7 @@ void Solids::findParts(vtkPointSet* data, const SolidOptions& options, Executor&
     vtkPolyData::SafeDownCast(data_), options.ignoresOpenParts, options.weldTolerance, executor);
   if (parts_.cells.size() > largestLabel)
   {
-    throw Refusal(Message("the surface has too many parts for labels",
-      {{"name an array of regions", {Parameter::regionArray}},
-        {"close the gaps between triangles", {}}},
-      "it has " + std::to_string(parts_.cells.size()) +
-        " by connectivity, and labels are 1 to 65535"));
+    throw Refusal(messageOf(Sentence::tooManyParts, {std::to_string(parts_.cells.size())}));
   }
 }
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/CellTypes.h"
 #include "private/source/SourceParts.h"
 
 #include "pipeline/VtkVersions.h"
 #include "private/source/CellChecks.h"
-#include "private/source/CellTypes.h"
 #include "private/source/OuterSurface.h"
 
 #include "vtkAppendPolyData.h"
