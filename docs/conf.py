@@ -25,12 +25,15 @@ ORDER = {
 }
 
 sys.path.insert(0, str(ROOT / "python"))
+from header import structs_of  # noqa: E402
+
 version = re.search(r"project\(vtkWinding VERSION ([0-9.]+)",
                     (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
 # A build writes this module, and makes the library that it names. The reference needs neither.
 sys.modules["vtkwinding._built"] = types.ModuleType("vtkwinding._built")
 sys.modules["vtkwinding._built"].VERSION = version
 sys.modules["vtkwinding._built"].LIBRARY = ""
+sys.modules["vtkwinding._built"].STRUCTS = structs_of(ROOT / "filters/c/winding.h")
 ctypes.CDLL = mock.MagicMock()
 ctypes.CDLL().winding_abi.return_value = mock.ANY
 

@@ -25,11 +25,15 @@ def structs_in(text):
         yield name, members
 
 
+def structs_of(header):
+    """Returns the declarations of the members of all structs of a header, by names."""
+    return {name.replace("winding_", "", 1): list(members.values())
+            for name, members in structs_in(text_of(header))}
+
+
 def structs_for_python(header):
     """Returns the line of _built.py with all structs of a header."""
-    structs = {name.replace("winding_", "", 1): list(members.values())
-               for name, members in structs_in(text_of(header))}
-    return "STRUCTS = " + repr(structs).replace("], ", "],\n           ") + "\n"
+    return "STRUCTS = " + repr(structs_of(header)).replace("], ", "],\n           ") + "\n"
 
 
 if __name__ == "__main__":
