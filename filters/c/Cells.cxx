@@ -314,9 +314,14 @@ winding_status winding_outward_polygons(winding_array points, const winding_cell
         [&](winding::CellCounts& found)
         {
           const winding::OutwardPolygons outward = outwardPolygons(mesh, view, found);
-          std::copy(outward.corners.begin(), outward.corners.end(), corners);
-          std::copy(outward.offsets.begin(), outward.offsets.end(), offsets);
-          std::copy(outward.polygons.begin(), outward.polygons.end(), polygons);
+          if (!outward.polygons.empty())
+          {
+            std::copy(
+              outward.corners.begin(), outward.corners.end(), &required(corners, "corners"));
+            std::copy(
+              outward.polygons.begin(), outward.polygons.end(), &required(polygons, "polygons"));
+          }
+          std::copy(outward.offsets.begin(), outward.offsets.end(), &required(offsets, "offsets"));
           required(kept, "kept") = static_cast<std::int64_t>(outward.polygons.size());
         });
     });

@@ -44,7 +44,9 @@ def _check(data, cells, types, first, name):
     count = cells.GetNumberOfCells()
     if types is not None and len(offsets) and len(types) >= count:
         degrees = data.GetCellData().GetHigherOrderDegrees()
-        degrees = None if degrees is None else _datasets.array_of(data, degrees).astype(float)
+        if degrees is not None:
+            degrees = _datasets.array_of(data, degrees).astype(float).reshape(-1, 3) if (
+                degrees.GetNumberOfComponents() == 3) else None
         streams = {cell: _faces_of(data, cell)
                    for cell in np.flatnonzero(types[:count] == _POLYHEDRON).tolist()}
         if streams:
@@ -88,24 +90,25 @@ def all_cells_of(leaves):
                  np.cumsum([leaf.GetNumberOfCells() for leaf in leaves]).tolist())
 
 
-def with_faces(grid, types, before=0, are_wanted=None):
+def with_faces(grid, types, before=0):
     """Returns the ids of all cells of an unstructured grid, as the library takes them, and their
     offsets.
 
     Polyhedra have their faces. Convex sets of points, whose `types` change to that of polyhedra,
-    have the faces of the tetrahedra that VTK cuts them into. Ids count from `before`. Cells of
-    these two types that are not wanted are empty."""
+    have the faces of the tetrahedra that VTK cuts them into. Ids count from `before`."""
     corners, offsets = _datasets.cells_of(grid, grid.GetCells())
     special = np.isin(types, (_POLYHEDRON, _CONVEX_POINT_SET))
-    streams = {}
-    for cell in np.flatnonzero(special).tolist():
-        if are_wanted is not None and not are_wanted[cell]:
-            streams[cell] = np.empty(0, np.int64)
-        else:
-            streams[cell] = (_faces_of if types[cell] == _POLYHEDRON else _tetrahedra_of)(
-                grid, cell, before)
+    streams = {cell: (_faces_of if types[cell] == _POLYHEDRON else _tetrahedra_of)(
+        grid, cell, before) for cell in np.flatnonzero(special).tolist()}
     types[special] = _POLYHEDRON
     return _with(streams, corners + before if before else corners, offsets)
+
+
+def owners_with_faces(grid, types, are_owners):
+    """Returns the same, with polyhedra that own no polygon empty, and convex sets as they are."""
+    streams = {cell: _faces_of(grid, cell) if are_owners[cell] else np.empty(0, np.int64)
+               for cell in np.flatnonzero(types == _POLYHEDRON).tolist()}
+    return _with(streams, *_datasets.cells_of(grid, grid.GetCells()))
 
 
 def _with(streams, corners, offsets):

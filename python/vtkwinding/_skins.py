@@ -8,7 +8,7 @@ import ctypes
 import numpy as np
 
 from . import _datasets, _library
-from ._cells import with_faces
+from ._cells import owners_with_faces
 
 _OWNERS = "Winding.Numbers"
 
@@ -143,7 +143,7 @@ class _Skin:
         are_owners = np.zeros(len(types), bool)
         are_owners[self.owners] = True
         if mesh.IsA("vtkUnstructuredGrid"):
-            return with_faces(mesh, types, are_wanted=are_owners)
+            return owners_with_faces(mesh, types, are_owners)
         counts = _point_counts_of(mesh)
         place = np.unravel_index(np.flatnonzero(are_owners), counts - 1, order="F")
         ids = np.stack([np.ravel_multi_index(

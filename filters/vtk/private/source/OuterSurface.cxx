@@ -128,8 +128,10 @@ public:
       vtkNew<vtkPoints> places;
       places->SetDataTypeToDouble();
       places->SetNumberOfPoints(points);
-      std::copy(
-        coordinates_.begin(), coordinates_.end(), static_cast<double*>(places->GetVoidPointer(0)));
+      for (vtkIdType point = 0; point < points; ++point)
+      {
+        places->SetPoint(point, &coordinates_[3 * static_cast<std::size_t>(point)]);
+      }
       surface_->SetPoints(places);
     }
     offsets_.push_back(0);
