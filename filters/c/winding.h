@@ -589,8 +589,8 @@ extern "C"
     winding_polygons polygons; /**< over these points, with offsets */
     winding_array owners;      /**< rows of one: by polygon, its cell in the mesh */
     /**
-     * Rows of one: by point, the mesh's point that it is. No rows where curved faces were divided,
-     * whose points are new ones.
+     * Rows of one: by point, the mesh's point that it is. New points on curved faces may have any
+     * number. Without rows straight cells are taken as convex.
      */
     winding_array origins;
   } winding_skin;

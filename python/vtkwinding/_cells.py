@@ -34,6 +34,8 @@ def check_cells(data, name):
             first += cells.GetNumberOfCells()
     elif data.IsA("vtkUnstructuredGrid"):
         _check(data, data.GetCells(), _datasets.cell_types_of(data), 0, name)
+    elif data.IsA("vtkExplicitStructuredGrid") and data.GetCells() is not None:
+        _check(data, data.GetCells(), None, 0, name)
 
 
 def _check(data, cells, types, first, name):
@@ -47,14 +49,42 @@ def _check(data, cells, types, first, name):
         if degrees is not None:
             degrees = _datasets.array_of(data, degrees).astype(float).reshape(-1, 3) if (
                 degrees.GetNumberOfComponents() == 3) else None
-        streams = {cell: _faces_of(data, cell)
-                   for cell in np.flatnonzero(types[:count] == _POLYHEDRON).tolist()}
-        if streams:
+        polyhedra = np.flatnonzero(types[:count] == _POLYHEDRON)
+        if polyhedra.size:
+            have_faces = _have_faces(data, polyhedra)
+            streams = {cell: _faces_of(data, cell) if have_faces else np.empty(0, np.int64)
+                       for cell in polyhedra.tolist()}
             ids, starts = _with(streams, np.empty(0, np.int64), np.zeros(count + 1, np.int64))
             faces = ctypes.byref(_library.cells_of(None, ids, starts))
     _library.call("winding_check_cells", ctypes.byref(given), faces, _library.array_of(degrees),
                   ctypes.c_int64(count), ctypes.c_int64(data.GetNumberOfPoints()),
                   ctypes.c_int64(first), name.encode())
+
+
+def _have_faces(grid, polyhedra):
+    """Returns whether the lists of faces of an unstructured grid can be followed to the faces of
+    all `polyhedra`."""
+    is_new = hasattr(grid, "GetPolyhedronFaces")  # from VTK 9.4 on
+    faces, locations = (grid.GetPolyhedronFaces(), grid.GetPolyhedronFaceLocations()) if (
+        is_new) else (grid.GetFaces(), grid.GetFaceLocations())
+    if faces is None or locations is None:
+        return False
+    if is_new:
+        if not (faces.IsValid() and locations.IsValid()):
+            return False
+        ids, starts = _datasets.cells_of(grid, locations)
+        are_there = (ids >= 0) & (ids < faces.GetNumberOfCells())
+        return len(starts) > polyhedra.max() + 1 and bool(are_there.all())
+    faces, locations = (_datasets.array_of(grid, array) for array in (faces, locations))
+    if len(locations) <= polyhedra.max():
+        return False
+    for at in locations[polyhedra].tolist():
+        left, at = (int(faces[at]), at + 1) if 0 <= at < len(faces) else (-1, at)
+        while left > 0 and at < len(faces) and faces[at] >= 0:
+            left, at = left - 1, at + 1 + int(faces[at])
+        if left != 0 or at > len(faces):
+            return False
+    return True
 
 
 def check_arrays(data, name):

@@ -207,7 +207,7 @@ def has_faces(mesh):
     if mesh.IsA("vtkPolyData"):
         return mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() > 0
     if mesh.IsA("vtkUnstructuredGrid"):
-        return bool((dimensions_of(cell_types_of(mesh)) >= 2).any())
+        return bool((dimensions_of(cell_types_of(mesh)[:mesh.GetNumberOfCells()]) >= 2).any())
     return mesh.GetNumberOfCells() > 0
 
 

@@ -105,8 +105,8 @@ def _load():
 
 
 _library = _load()
-for _struct in Sized.__subclasses__():
-    _function = getattr(_library, _struct._init_)
+for _sized in Sized.__subclasses__():
+    _function = getattr(_library, _sized._init_)
     _function.argtypes, _function.restype = [ctypes.c_void_p, ctypes.c_size_t], None
 
 

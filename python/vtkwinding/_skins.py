@@ -9,8 +9,11 @@ import numpy as np
 
 from . import _datasets, _library
 from ._cells import owners_with_faces
+from .fields import welded
 
 _OWNERS = "Winding.Numbers"
+_FIRST_BEZIER = 75
+_ROUNDING = 4e-7  # of floats, with some operations
 
 
 def outer_surface(mesh, surface_cells, keeps_points, counts):
@@ -36,13 +39,15 @@ def outer_surface(mesh, surface_cells, keeps_points, counts):
                               (numbered.GetPointData(), mesh.GetNumberOfPoints())):
         attributes.AddArray(_datasets.vtk_array_of(mesh, _OWNERS, np.arange(count)))
     halvings = 1 if _datasets.has_curved(types) else 0
+    is_bezier = bool((types >= _FIRST_BEZIER).any())
     if halvings and not keeps_points:
-        once, twice, found = _Skin(numbered, 1), _Skin(numbered, 2), ctypes.c_int32()
+        once, twice = (_Skin(numbered, times, is_bezier) for times in (1, 2))
+        found = ctypes.c_int32()
         _library.call("winding_halvings", ctypes.byref(once.view), ctypes.byref(twice.view),
                       ctypes.c_int64(len(types)), ctypes.c_double(mesh.GetLength()),
                       ctypes.byref(found), ctypes.byref(counts))
         halvings = found.value
-    return _Skin(numbered, halvings).looking_outward(mesh, types, counts)
+    return _Skin(numbered, halvings, is_bezier).looking_outward(mesh, types, counts)
 
 
 def _types_of(mesh):
@@ -74,9 +79,11 @@ class _Skin:
     """The polygons of a mesh's surface as VTK extracts it, and the library's view of them.
 
     Curved edges are halved some times; 0 has them straight between their corners. VTK rounds points
-    on curved faces to float, so that it is given coordinates from the middle."""
+    on curved faces to float, so that it is given coordinates from the middle, and points that
+    differ by that rounding are made one. Halved once, points are nodes of the mesh, except in
+    Bézier cells, whose nodes are off their faces."""
 
-    def __init__(self, mesh, halvings):
+    def __init__(self, mesh, halvings, has_bezier_cells):
         middle = np.array(mesh.GetCenter()) if halvings else 0
         places = _datasets.floats_of(mesh, mesh.GetPoints().GetData())
         filter = _datasets.class_of(mesh, "vtkFiltersGeometry", "vtkDataSetSurfaceFilter")()
@@ -93,15 +100,14 @@ class _Skin:
             self._points = _datasets.floats_of(mesh, surface.GetPoints().GetData())
             self.owners = _datasets.array_of(mesh, surface.GetCellData().GetArray(_OWNERS))[
                 self._before:self._before + count].astype(np.int64)
-            origins = surface.GetPointData().GetArray(_OWNERS) if halvings < 2 else None
-            if origins is not None:
-                origins = _datasets.array_of(mesh, origins).astype(np.int64)
+            self._origins = _datasets.array_of(
+                mesh, surface.GetPointData().GetArray(_OWNERS)).astype(np.int64)
+            if halvings == 1 and not has_bezier_cells:
+                self._points = places[self._origins].astype(float)
+            elif halvings:
+                self._points = welded(self._points + middle, _ROUNDING * mesh.GetLength())
             if halvings:
-                self._points = (self._points + middle if origins is None else  # else all are nodes
-                                places[origins].astype(float))
                 self.surface = surface = _with_points(surface, self._points)
-            else:
-                self._origins = origins
         self.view = _library.Skin(
             _library.array_of(self._points),
             _library.Polygons(_library.array_of(self._corners), _library.array_of(self._offsets)),

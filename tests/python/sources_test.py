@@ -333,6 +333,13 @@ class SourcesTest(unittest.TestCase):
             spoil(grid)
             with self.assertRaisesRegex(_sources.WindingError, words):
                 _sources.source_of(grid)
+        for place, number in ((0, 10**9), (0, 0), (1, 10**9), (1, -1)):
+            solid = polyhedron()
+            if hasattr(solid, "GetPolyhedronFaces"):
+                break  # VTK 9.4 has lists of another form
+            solid.GetFaces().SetValue(place, number)
+            self.assertRaisesRegex(_sources.WindingError, "without faces", _sources.source_of,
+                                   solid)
         image = vtkImageData()
         image.SetDimensions(3, 3, 3)
         self.assertRaisesRegex(_sources.WindingError, "is a vtkImageData", _sources.source_of,

@@ -36,7 +36,7 @@ std::vector<Message> notesOn(const CellCounts& counts)
 void countLoose(const std::vector<std::uint8_t>& types, CellCounts& counts)
 {
   counts.loose += static_cast<std::size_t>(std::count_if(types.begin(), types.end(),
-    [](std::uint8_t type) { return dimensionOf(type) == 0 || dimensionOf(type) == 1; }));
+    [](std::uint8_t type) { return type > 0 && dimensionOf(type) >= 0 && dimensionOf(type) < 2; }));
 }
 
 std::vector<char> ownCellsOf(const std::vector<std::uint8_t>& types, const std::uint8_t* ghosts,

@@ -123,6 +123,10 @@ std::int64_t fewestPointsOf(int cellType)
 
 bool canHavePoints(int cellType, std::int64_t points, const double* degrees)
 {
+  if (cellType == quadraticPolygonType)
+  {
+    return points >= 6 && points % 2 == 0;
+  }
   if (pointsOfDegrees(cellType, 1, 1, 1) == 0)
   {
     return points >= fewestPointsOf(cellType);

@@ -14,7 +14,7 @@
 namespace winding
 {
 
-constexpr int polyhedronType = 42, quadraticPolygonType = 36;
+constexpr int polyhedronType = 42, quadraticPolygonType = 36, firstBezierType = 75;
 
 /// Returns the dimension of cells of a type, 0 to 3; −1 for a type that VTK has no cells of.
 int dimensionOf(int cellType);

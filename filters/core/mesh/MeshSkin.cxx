@@ -106,7 +106,7 @@ void orientLikeEachOther(std::vector<Ids>& faces)
   }
 }
 
-/// Says which polygons of a skin look into their own cell.
+/// The cells of a mesh, one after the other, as what the polygons of a skin look into or away from.
 class Senses
 {
 public:
@@ -129,18 +129,25 @@ public:
       cell_ = cell;
       this->look(type);
     }
-    if (!skin_.origins.empty() && !faces_.empty())
+    if (isCurved(type))
     {
-      return isInward_ != this->isReversed(corners);
+      // VTK divides the faces of other cells in the order of the straight ones.
+      return straightTypeOf(type) == wedgeType ? this->looksAtMiddle(corners) : isInward_;
     }
-    // VTK divides the faces of these cells in the order of the straight ones.
-    const int straight = straightTypeOf(type);
-    const bool isInOrder = isCurved(type) && straight != wedgeType;
-    return isInOrder ? isInward_ : this->looksAtMiddle(corners);
+    const Sense sense = skin_.origins.empty() ? Sense::unknown : this->senseOf(corners);
+    return sense == Sense::unknown ? this->looksAtMiddle(corners)
+                                   : isInward_ != (sense == Sense::reversed);
   }
 
 private:
   static constexpr int wedgeType = 13;
+
+  enum class Sense
+  {
+    forward,
+    reversed,
+    unknown
+  };
 
   Eigen::Vector3d pointOf(std::int64_t id) const
   {
@@ -187,6 +194,15 @@ private:
       }
     }
     isInward_ = this->volume() < 0;
+    rows_.clear();
+    for (const Ids& face : faces_)
+    {
+      for (std::size_t i = 0; i < face.size(); ++i)
+      {
+        rows_.push_back({face[i], face[(i + 1) % face.size()], face[(i + 2) % face.size()]});
+      }
+    }
+    std::sort(rows_.begin(), rows_.end());
   }
 
   /// Returns six times the volume within the faces, which is negative where they look inward.
@@ -206,28 +222,20 @@ private:
     return volume;
   }
 
-  /// Returns whether a polygon goes round the other way than the face of the cell that it is.
-  bool isReversed(const Ids& corners) const
+  /// Returns whether a polygon goes round as the face of the cell that it is.
+  Sense senseOf(const Ids& corners) const
   {
     std::array<std::int64_t, 3> ids;
     for (std::size_t i = 0; i < 3; ++i)
     {
       ids[i] = skin_.origins[static_cast<std::size_t>(corners[i])];
     }
-    bool isReversed = false;
-    for (const Ids& face : faces_)
+    if (std::binary_search(rows_.begin(), rows_.end(), ids))
     {
-      for (std::size_t i = 0; i < face.size(); ++i)
-      {
-        const std::array row = {face[i], face[(i + 1) % face.size()], face[(i + 2) % face.size()]};
-        if (row == ids)
-        {
-          return false;
-        }
-        isReversed = isReversed || std::equal(row.begin(), row.end(), ids.rbegin());
-      }
+      return Sense::forward;
     }
-    return isReversed;
+    std::reverse(ids.begin(), ids.end());
+    return std::binary_search(rows_.begin(), rows_.end(), ids) ? Sense::reversed : Sense::unknown;
   }
 
   /// Returns whether a polygon looks to the side where the middle of the cell's points is.
@@ -272,6 +280,7 @@ private:
   const SkinView& skin_;
   std::size_t cell_ = static_cast<std::size_t>(-1); ///< the last one
   std::vector<Ids> faces_;                          ///< of that cell, agreeing with each other
+  std::vector<std::array<std::int64_t, 3>> rows_;   ///< corners in a row of these, sorted
   bool isInward_ = false;                           ///< whether these look inward
 };
 
@@ -288,7 +297,12 @@ public:
     places.reserve(skin.points.size());
     for (std::size_t point = 0; point < skin.points.size(); ++point)
     {
+      firsts_[point] = static_cast<std::int64_t>(point);
       const Eigen::Vector3d at = skin.points[point];
+      if (!at.allFinite())
+      {
+        continue; // NaN is at no place
+      }
       const auto [first, isNew] = places.emplace(
         std::array{at.x() + 0.0, at.y() + 0.0, at.z() + 0.0}, static_cast<std::int64_t>(point));
       firsts_[point] = first->second;
@@ -408,7 +422,7 @@ int halvingsOf(const SkinView& once, const SkinView& twice, std::size_t cells, d
   CellCounts& counts)
 {
   constexpr int most = 5;
-  const double wanted = 1e-3 * diagonal;
+  const double wanted = 1e-3 * std::max(diagonal, 0.0);
   const std::vector<double> coarse = areasByCell(once, cells), fine = areasByCell(twice, cells);
   int halvings = 1;
   for (std::size_t cell = 0; cell < cells; ++cell)

@@ -50,8 +50,8 @@ struct SkinView
   IdsView corners;    ///< ids of its points, polygon after polygon
   IdsView offsets;    ///< by polygon, where its corners begin; and where the last one ends
   IdsView owners;     ///< by polygon, its cell
-  /// By point, the mesh's point that it is. Empty where curved faces were divided, whose points are
-  /// new ones.
+  /// By point, the mesh's point that it is. New points on curved faces may have any number. Empty
+  /// where they are not known: then straight cells are taken as convex.
   IdsView origins;
 
   std::size_t polygons() const { return owners.size(); }

@@ -129,7 +129,7 @@ void checkPolyDataCells(vtkPolyData* polyData, bool areUsed, const CellChecks& c
 const double* degreesOf(vtkUnstructuredGrid* grid, vtkIdType cell, double* degrees)
 {
   vtkDataArray* all = grid->GetCellData()->GetHigherOrderDegrees();
-  if (!all || all->GetNumberOfComponents() != 3)
+  if (!all || all->GetNumberOfComponents() != 3 || cell >= all->GetNumberOfTuples())
   {
     return nullptr;
   }

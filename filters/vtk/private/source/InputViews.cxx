@@ -20,7 +20,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
+#include "vtkLongLongArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -291,8 +291,8 @@ const char* InputViews::nameOfNumbers()
 
 vtkIdType InputViews::numberOf(vtkDataSetAttributes* ofPart, vtkIdType item)
 {
-  auto* const numbers = vtkIdTypeArray::SafeDownCast(ofPart->GetArray(numbersName));
-  return numbers ? numbers->GetValue(item) : item;
+  auto* const numbers = vtkLongLongArray::SafeDownCast(ofPart->GetArray(numbersName));
+  return numbers ? static_cast<vtkIdType>(numbers->GetValue(item)) : item;
 }
 
 std::vector<TrianglesView> InputViews::triangles()

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/source/OuterSurface.h"
 
+#include "base/Executor.h"
 #include "mesh/CellTypes.h"
 #include "mesh/MeshSkin.h"
 #include "private/source/CellChecks.h"
+#include "source/SnappedPoints.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -15,7 +17,7 @@
 #include "vtkExplicitStructuredGridToUnstructuredGrid.h"
 #include "vtkExtractCells.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
+#include "vtkLongLongArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -90,9 +92,12 @@ class Skin
 {
 public:
   /// Curved edges are halved `halvings` times; 0 has them straight between their corners. VTK
-  /// rounds points on curved faces to float, so that it is given coordinates from the middle.
-  Skin(vtkPointSet* mesh, int halvings)
+  /// rounds points on curved faces to float, so that it is given coordinates from the middle, and
+  /// points that differ by that rounding are made one. Halved once, points are nodes of the mesh,
+  /// except in Bézier cells, whose nodes are off their faces.
+  Skin(vtkPointSet* mesh, int halvings, bool hasBezierCells)
   {
+    const bool areNodes = halvings == 1 && !hasBezierCells;
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     if (halvings > 0)
     {
@@ -105,10 +110,10 @@ public:
     surface_ = filter->GetOutput();
     const vtkIdType points = surface_->GetNumberOfPoints(), polygons = surface_->GetNumberOfPolys();
     auto* const owners =
-      vtkIdTypeArray::SafeDownCast(surface_->GetCellData()->GetArray(ownersName));
+      vtkLongLongArray::SafeDownCast(surface_->GetCellData()->GetArray(ownersName));
     auto* const origins =
-      vtkIdTypeArray::SafeDownCast(surface_->GetPointData()->GetArray(ownersName));
-    if (!owners || (halvings == 0 && !origins) || points == 0)
+      vtkLongLongArray::SafeDownCast(surface_->GetPointData()->GetArray(ownersName));
+    if (!owners || !origins || points == 0)
     {
       return;
     }
@@ -118,10 +123,17 @@ public:
       Eigen::Map<Eigen::Vector3d> place(&coordinates_[3 * static_cast<std::size_t>(point)]);
       surface_->GetPoint(point, place.data());
       place += middle;
-      if (halvings == 1 && origins) // all are nodes
+      if (areNodes)
       {
-        mesh->GetPoint(origins->GetValue(point), place.data());
+        mesh->GetPoint(static_cast<vtkIdType>(origins->GetValue(point)), place.data());
       }
+    }
+    if (halvings > 0 && !areNodes)
+    {
+      constexpr double rounding = 4e-7; // of floats, with some operations
+      SerialExecutor serial;
+      const VectorsView rounded(coordinates_.data(), static_cast<std::size_t>(points));
+      coordinates_ = snappedPoints({rounded}, rounding * mesh->GetLength(), serial).front();
     }
     if (halvings > 0)
     {
@@ -149,11 +161,8 @@ public:
     view_.corners = {corners_.data(), corners_.size()};
     view_.offsets = {offsets_.data(), offsets_.size()};
     view_.owners = {owners_.data(), owners_.size()};
-    if (halvings == 0)
-    {
-      origins_.assign(origins->GetPointer(0), origins->GetPointer(0) + points);
-      view_.origins = {origins_.data(), origins_.size()};
-    }
+    origins_.assign(origins->GetPointer(0), origins->GetPointer(0) + points);
+    view_.origins = {origins_.data(), origins_.size()};
   }
 
   const SkinView& view() const { return view_; }
@@ -328,10 +337,10 @@ vtkSmartPointer<vtkPointSet> withNumbers(vtkPointSet* mesh, const char* name)
   copy->ShallowCopy(mesh);
   const auto number = [name](vtkDataSetAttributes* attributes, vtkIdType count)
   {
-    vtkNew<vtkIdTypeArray> numbers;
+    vtkNew<vtkLongLongArray> numbers; // VTK leaves out ids where it interpolates
     numbers->SetName(name);
     numbers->SetNumberOfValues(count);
-    std::iota(numbers->GetPointer(0), numbers->GetPointer(0) + count, vtkIdType{0});
+    std::iota(numbers->GetPointer(0), numbers->GetPointer(0) + count, 0LL);
     attributes->AddArray(numbers);
   };
   number(copy->GetCellData(), mesh->GetNumberOfCells());
@@ -343,13 +352,15 @@ vtkSmartPointer<vtkPolyData> outerSurfaceOf(vtkPointSet* mesh, bool keepsPoints,
 {
   const auto cells = withNumbers(withoutExplicitStructure(mesh), ownersName);
   const std::vector<std::uint8_t> types = typesOf(cells);
+  const bool isBezier =
+    std::any_of(types.begin(), types.end(), [](int type) { return type >= firstBezierType; });
   int halvings = std::any_of(types.begin(), types.end(), isCurved) ? 1 : 0;
   if (halvings > 0 && !keepsPoints)
   {
-    halvings = halvingsOf(
-      Skin(cells, 1).view(), Skin(cells, 2).view(), types.size(), cells->GetLength(), counts);
+    halvings = halvingsOf(Skin(cells, 1, isBezier).view(), Skin(cells, 2, isBezier).view(),
+      types.size(), cells->GetLength(), counts);
   }
-  Skin skin(cells, halvings);
+  Skin skin(cells, halvings, isBezier);
   return skin.with(outwardPolygons(OwnersView(cells, skin.view(), types), skin.view(), counts));
 }
 
