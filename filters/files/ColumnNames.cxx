@@ -58,14 +58,15 @@ std::vector<std::size_t> columnsNamed(
   return columns;
 }
 
-constexpr const char* components[] = {"x", "y", "z", "nx", "ny", "nz", "area"};
+constexpr const char* components[] = {"x", "y", "z", "nx", "ny", "nz", "area", "vx", "vy", "vz"};
 
 /// The components that belong together.
 std::vector<std::string> componentsOf(ColumnMeaning meaning)
 {
-  return meaning == ColumnMeaning::positions ? std::vector<std::string>{"x", "y", "z"}
-         : meaning == ColumnMeaning::normals ? std::vector<std::string>{"nx", "ny", "nz"}
-                                             : std::vector<std::string>{"area"};
+  return meaning == ColumnMeaning::positions    ? std::vector<std::string>{"x", "y", "z"}
+         : meaning == ColumnMeaning::normals    ? std::vector<std::string>{"nx", "ny", "nz"}
+         : meaning == ColumnMeaning::viewpoints ? std::vector<std::string>{"vx", "vy", "vz"}
+                                                : std::vector<std::string>{"area"};
 }
 
 /// The number of the column that a user calls `name`; as many as there are columns where none is.
@@ -120,8 +121,8 @@ ColumnChoice::ColumnChoice(const std::string& text)
   if (!isRight)
   {
     throw Refusal("the columns " + shown(text) +
-                  " are not like x=Easting y=Northing z=Height, each of x y z nx ny nz area once "
-                  "at most, with the name or the number of a column");
+                  " are not like x=Easting y=Northing z=Height, each of x y z nx ny nz area vx vy "
+                  "vz once at most, with the name or the number of a column");
   }
 }
 
@@ -157,8 +158,8 @@ void ColumnChoice::check(const InputFile& file, const std::vector<std::string>& 
     }
   }
   std::set<std::size_t> taken;
-  for (const ColumnMeaning meaning :
-    {ColumnMeaning::positions, ColumnMeaning::normals, ColumnMeaning::areas})
+  for (const ColumnMeaning meaning : {ColumnMeaning::positions, ColumnMeaning::normals,
+         ColumnMeaning::areas, ColumnMeaning::viewpoints})
   {
     for (const std::size_t column : columnsOf(meaning, names, *this))
     {
@@ -195,6 +196,11 @@ std::vector<std::size_t> columnsOf(
     usual = {{"nx", "normal_x", "normals_x", "normals_0", "normal_0"},
       {"ny", "normal_y", "normals_y", "normals_1", "normal_1"},
       {"nz", "normal_z", "normals_z", "normals_2", "normal_2"}};
+  }
+  else if (meaning == ColumnMeaning::viewpoints)
+  {
+    saved = {{"viewpoints:0"}, {"viewpoints:1"}, {"viewpoints:2"}};
+    usual = {{"vp_x", "viewpoint_x"}, {"vp_y", "viewpoint_y"}, {"vp_z", "viewpoint_z"}};
   }
   std::vector<std::size_t> columns;
   const std::vector<std::string> wanted = componentsOf(meaning);

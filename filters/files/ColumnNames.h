@@ -24,12 +24,16 @@ enum class ColumnMeaning
   /// elevation, height or altitude
   positions,
   normals, ///< nx, ny and nz, or Normals:0, Normals:1 and Normals:2, or normal_x and so on
-  areas    ///< area
+  areas,   ///< area
+  /// vp_x, vp_y and vp_z, or Viewpoints:0 and so on: where each point was seen from. Users choose
+  /// them as vx, vy and vz, which are velocities in most files.
+  viewpoints
 };
 
 /**
- * The columns that a user has chosen, as "x=Easting y=Northing z=Height (m) nx=4 ny=5 nz=6 area=7":
- * names, or numbers from 1 on where no column has that name. Others go by usual names.
+ * The columns that a user has chosen, as "x=Easting y=Northing z=Height (m) nx=4 ny=5 nz=6 area=7"
+ * or "vx=8 vy=9 vz=10": names, or numbers from 1 on where no column has that name. Others go by
+ * usual names.
  */
 class ColumnChoice
 {

@@ -16,6 +16,22 @@ namespace
 
 constexpr std::size_t bytesAtOnce = 1 << 18;
 
+/// Whether the first bytes of a file are text in UTF-16: many of its pairs of bytes have one that
+/// is 0, the same one of each pair. Without a byte order mark all have.
+bool isUtf16(std::string_view head)
+{
+  std::size_t zeros[2] = {0, 0};
+  for (std::size_t i = 0; i < head.size(); ++i)
+  {
+    zeros[i % 2] += head[i] == '\0' ? 1 : 0;
+  }
+  const std::size_t pairs = head.size() / 2, found = std::max(zeros[0], zeros[1]);
+  const std::string_view mark = head.substr(0, 2);
+  return mark == "\xFE\xFF" || mark == "\xFF\xFE"
+           ? 4 * found > pairs && found > 2 * std::min(zeros[0], zeros[1])
+           : pairs > 1 && found == pairs && std::min(zeros[0], zeros[1]) == 0;
+}
+
 } // namespace
 
 InputFile::InputFile(const char* name, const Unpack& unpack)
@@ -54,6 +70,13 @@ InputFile::InputFile(const char* name, const Unpack& unpack)
     {
       this->refuse("is empty when it is unpacked", FileFault::ends);
     }
+  }
+  char head[256];
+  const std::size_t count = std::min(sizeof head, this->size());
+  this->read(0, head, count);
+  if (isUtf16({head, count}))
+  {
+    this->refuse("is text in UTF-16; save it as UTF-8");
   }
 }
 

@@ -52,8 +52,8 @@ public:
   using Unpack = std::function<PlainArray<char>(const InputFile& packed)>;
 
   /// Opens a regular file. Throws FileRefusal when there is no name (null or empty) and where the
-  /// file is missing, a folder, a pipe, unreadable or empty; it never waits for a pipe. A file with
-  /// the suffix .gz is unpacked into memory, and refused where `unpack` is empty.
+  /// file is missing, a folder, a pipe, unreadable, empty or text in UTF-16; it never waits for a
+  /// pipe. A file with the suffix .gz is unpacked into memory, and refused where `unpack` is empty.
   explicit InputFile(const char* name, const Unpack& unpack = {});
 
   const std::string& name() const { return name_; }

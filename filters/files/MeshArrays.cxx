@@ -9,17 +9,24 @@
 namespace winding
 {
 
-PlainArray<std::uint8_t> bytesOfColors(const PlainArray<float>& colors)
+double intensityOf(double largest, bool areIntegers)
 {
-  const bool areShares =
-    std::none_of(colors.begin(), colors.end(), [](float color) { return color > 1; });
+  constexpr double ofBytes = 255, ofWords = 65535;
+  return largest > ofBytes ? ofWords : largest > 1 || areIntegers ? ofBytes : 1;
+}
+
+PlainArray<std::uint8_t> bytesOfColors(const PlainArray<float>& colors, bool areIntegers)
+{
+  constexpr float most = 255, half = 0.5F;
+  const float largest = std::accumulate(colors.begin(), colors.end(), 0.0F,
+    [](float one, float other) { return other > one ? other : one; }); // NaN is not larger
+  const auto scale = static_cast<float>(most / intensityOf(largest, areIntegers));
   PlainArray<std::uint8_t> bytes(colors.size());
   std::transform(colors.begin(), colors.end(), bytes.begin(),
-    [areShares](float color)
+    [scale, half, most, areIntegers](float color)
     {
-      constexpr float most = 255, half = 0.5F;
-      const float value = areShares ? most * color : color;
-      return static_cast<std::uint8_t>(value > 0 ? std::min(value + half, most) : 0);
+      const float value = areIntegers && color < 0 ? color + most + 1 : color; // of signed bytes
+      return static_cast<std::uint8_t>(value > 0 ? std::min(scale * value + half, most) : 0);
     });
   return bytes;
 }

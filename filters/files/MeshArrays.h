@@ -57,9 +57,13 @@ struct OtherNumbers
   bool areIntegers = false;   ///< whether the file has no others, as for labels
 };
 
-/// Returns bytes for colours of any numbers: these are 0 to 1, or 0 to 255 where any is larger.
-/// Numbers out of that range become the nearest byte, and NaN 0.
-PlainArray<std::uint8_t> bytesOfColors(const PlainArray<float>& colors);
+/// Returns the number of full intensity in colours whose largest number is `largest`: 1, 255 or
+/// 65535. `areIntegers` says that the type of the numbers holds no fractions.
+double intensityOf(double largest, bool areIntegers = false);
+
+/// Returns bytes for colours of any numbers, by intensityOf(). Negative integers count as signed
+/// bytes. Other numbers out of range become the nearest byte, and NaN 0.
+PlainArray<std::uint8_t> bytesOfColors(const PlainArray<float>& colors, bool areIntegers = false);
 
 /// The content of a file of a mesh or of points, in arrays that can be given away without a copy.
 struct MeshArrays
@@ -67,6 +71,7 @@ struct MeshArrays
   VectorArrays points;
   VectorArrays normals; ///< one for each point, as they are in the file; empty if there are none
   PlainArray<double> areas;             ///< one for each point; empty if there are none
+  PlainArray<double> viewpoints;        ///< three for each point; empty if there are none
   PlainArray<std::uint8_t> colors;      ///< colorComponents for each point; empty if there are none
   int colorComponents = 0;              ///< 3, red, green and blue, or 4, and opacity
   PlainArray<float> textureCoordinates; ///< two for each point; empty if there are none

@@ -11,8 +11,10 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +30,7 @@ constexpr int leastNumbers[3] = {3, 1, 3};
 constexpr const char* cellNames[3] = {"point", "line", "face"};
 constexpr std::int64_t leastCorners[3] = {1, 2, 3};
 constexpr const char* regionKinds[3] = {"Object", "Group", "Material"};
+constexpr float noColor = std::numeric_limits<float>::quiet_NaN(); ///< of a vertex without one
 
 /// The numbers of items of each kind, in the order of itemNames, and of cells and their corners, in
 /// the order of cellNames, in some part of a file.
@@ -192,10 +195,14 @@ public:
     Progress progress(executor_);
     progress.set(0, 0.3); // counting takes three tenths of the time
     this->count();
-    this->allocate();
+    hasColors_ = this->beginsWithColor();
     progress.set(0.3, 1);
-    runOrderedBlocks(
-      blocks_.count(), [this](std::size_t block) { this->parse(block); }, executor_);
+    this->parseAll();
+    if (!hasColors_ && seesColors_)
+    {
+      hasColors_ = true;
+      this->parseAll();
+    }
     if (!normalsFit_)
     {
       mesh_.normals = {};
@@ -204,6 +211,10 @@ public:
     {
       mesh_.colors = bytesOfColors(colors_);
       mesh_.colorComponents = 3;
+      for (std::size_t i = 0; i < colors_.size() && lacksColors_; ++i)
+      {
+        mesh_.colors[i] = std::isnan(colors_[i]) ? 255 : mesh_.colors[i];
+      }
     }
     this->assignTexture();
     this->addRegionsOfAllKinds();
@@ -260,13 +271,8 @@ private:
     {
       if (lines.takeStatement(kind) == Statement::item && kind == 0)
       {
-        double value = 0;
-        int numbers = 0;
-        while (lines.takeNumber(value))
-        {
-          ++numbers;
-        }
-        return numbers >= 6;
+        double position[3], color[3];
+        return takeThree(lines, position) && takeThree(lines, color);
       }
     }
     return false;
@@ -348,7 +354,7 @@ private:
     if (lacksColors_)
     {
       mesh_.notes.push_back(
-        {"some vertices have no colors", {{"export one for each vertex", {}}}, "they are black"});
+        {"some vertices have no colors", {{"export one for each vertex", {}}}, "they are white"});
     }
     if (all.freeForms > 0)
     {
@@ -378,7 +384,6 @@ private:
     {
       mesh_.normals.doubles = PlainArray<double>(mesh_.points.doubles.size());
     }
-    hasColors_ = this->beginsWithColor();
     colors_ = PlainArray<float>(hasColors_ ? mesh_.points.doubles.size() : 0);
     const bool hasTexture = wantsTexture_ && all.items[1] > 0;
     texture_ = PlainArray<float>(hasTexture ? 2 * static_cast<std::size_t>(all.items[1]) : 0);
@@ -394,6 +399,13 @@ private:
         into.connectivity = PlainArray<std::int64_t>(static_cast<std::size_t>(all.corners[kind]));
       }
     }
+  }
+
+  void parseAll()
+  {
+    this->allocate();
+    runOrderedBlocks(
+      blocks_.count(), [this](std::size_t block) { this->parse(block); }, executor_);
   }
 
   void parse(std::size_t block)
@@ -463,6 +475,10 @@ private:
     {
       this->parseColor(lines, static_cast<std::size_t>(at.items[kind]));
     }
+    else if (kind == 0 && !lines.rest().empty() && takeThree(lines, values))
+    {
+      seesColors_ = true;
+    }
     if (kind == 1 && !texture_.empty())
     {
       lines.takeNumber(values[1]); // 0 where there is none
@@ -471,15 +487,20 @@ private:
     ++at.items[kind];
   }
 
+  /// Takes a position or a colour off a line. Returns whether it is there.
+  static bool takeThree(ObjLines& lines, double (&values)[3])
+  {
+    return lines.takeNumber(values[0]) && lines.takeNumber(values[1]) &&
+           lines.takeNumber(values[2]);
+  }
+
   void parseColor(ObjLines& lines, std::size_t vertex)
   {
-    double values[3] = {0, 0, 0};
-    for (double& value : values)
-    {
-      lacksColors_ = !lines.takeNumber(value) || lacksColors_;
-    }
-    std::transform(values, values + 3, colors_.data() + 3 * vertex,
-      [](double value) { return static_cast<float>(value); });
+    double color[3];
+    const bool isThere = takeThree(lines, color);
+    lacksColors_ = lacksColors_ || !isThere;
+    std::transform(color, color + 3, colors_.data() + 3 * vertex,
+      [isThere](double value) { return isThere ? static_cast<float>(value) : noColor; });
   }
 
   void parseCell(
@@ -576,6 +597,7 @@ private:
   PlainArray<std::int64_t> cornerTexture_; ///< of the corners of polygons
   std::atomic<bool> normalsFit_{false};
   std::atomic<bool> lacksColors_{false};
+  std::atomic<bool> seesColors_{false}; ///< which are not read yet
 };
 
 } // namespace

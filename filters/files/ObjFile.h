@@ -19,9 +19,9 @@ namespace winding
  * names the normal of another vertex; else they are left out, with a note where there are no
  * faces. Objects (o), groups (g) and materials (usemtl) are regions of the faces, each by its name,
  * and faces before the first have one without a name. Colours are the numbers behind the position
- * of a vertex, red, green and blue, where the first vertex has them; a note says where others do
- * not. Texture coordinates (vt) are passed over, and so are free-form curves and surfaces, which a
- * note counts.
+ * of a vertex, red, green and blue; where only some vertices have them, the others are white, and a
+ * note says so. Texture coordinates (vt) are passed over, and so are free-form curves and surfaces,
+ * which a note counts.
  *
  * Throws FileRefusal for files without vertices, vertices, normals and texture coordinates without
  * their numbers, faces with fewer than three corners, and vertices of corners that do not exist.

@@ -43,7 +43,7 @@ class OtherParts
 public:
   OtherParts(const PlyElement& element, bool withNumbers)
     : color_(element.color())
-    , areBytes_(!color_.empty() && isInteger(color_[0]->type))
+    , areBytes_(areBytes(color_))
   {
     if (withNumbers)
     {
@@ -82,19 +82,19 @@ public:
     }
   }
 
-  /// Makes bytes of colours that are real numbers, once all are copied.
+  /// Makes bytes of colours that are other numbers, once all are copied.
   void finish(PlainArray<std::uint8_t>& colors) const
   {
-    if (!areBytes_)
+    if (!shares_.empty())
     {
-      colors = bytesOfColors(shares_);
+      colors = bytesOfColors(shares_, isInteger(color_[0]->type));
     }
   }
 
 private:
   std::vector<const PlyProperty*> color_, others_;
   bool areBytes_;
-  PlainArray<float> shares_; ///< colours that are real numbers
+  PlainArray<float> shares_; ///< colours that are no bytes
 };
 
 /// Three properties of vertices that make a vector.

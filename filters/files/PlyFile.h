@@ -12,11 +12,11 @@ namespace winding
 
 /**
  * Reads a surface or points from the Polygon File Format (.ply) of version 1.0, as text or in
- * either order of bytes: the vertices with their normals (nx, ny, nz), colours of bytes (red,
- * green, blue, alpha) and texture coordinates (u and v, s and t, or texture_u and so on), where
- * there are any, and the faces (vertex_indices or vertex_index). All other elements are passed
- * over, and so are other properties, unless these are of vertices, and wanted. Numbers may be of
- * any type.
+ * either order of bytes: the vertices with their normals (nx, ny, nz), colours (red, green, blue
+ * and alpha, diffuse_red and so on, or r, g, b and a) and texture coordinates (u and v, s and t, or
+ * texture_u and so on), where there are any, and the faces (vertex_indices or vertex_index). All
+ * other elements are passed over, and so are other properties, unless these are of vertices, and
+ * wanted. Numbers may be of any type; colours become bytes (bytesOfColors()).
  *
  * Positions are doubles in all text and where the file holds doubles or integers of four bytes, and
  * floats else; so are normals.

@@ -79,6 +79,9 @@ public:
   explicit FirstBytes(const InputFile& file)
     : file_(file)
   {
+    char first[5] = {}; // "ply", and how its line ends
+    file.read(0, first, std::min(sizeof first, file.size()));
+    endsAtCr_ = first[3] == '\r' && first[4] != '\n';
   }
 
   /// The next line, without its end. False at the end of the file.
@@ -95,6 +98,7 @@ public:
     if (!line.empty() && line.back() == '\r')
     {
       line.pop_back();
+      end -= endsAtCr_ ? 1 : 0; // LF is the first byte of the data
     }
     const bool isThere = next_ < text_.size();
     next_ = std::min(end + 1, text_.size());
@@ -120,6 +124,7 @@ private:
 
   const InputFile& file_;
   std::string text_;
+  bool endsAtCr_;        ///< whether lines of the header end at CR alone
   std::size_t next_ = 0; ///< the next line in the text
   std::size_t read_ = 0; ///< bytes of the file that were read
 };
@@ -319,19 +324,25 @@ std::vector<const PlyProperty*> PlyElement::findNumbers(const std::vector<const 
 
 std::vector<const PlyProperty*> PlyElement::color() const
 {
-  std::vector<const PlyProperty*> found = this->findNumbers({"red", "green", "blue", "alpha"});
-  if (found.empty())
+  const std::vector<const char*> names[] = {{"red", "green", "blue", "alpha"},
+    {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"}, {"r", "g", "b", "a"}};
+  for (std::vector<const char*> parts : names)
   {
-    found = this->findNumbers({"red", "green", "blue"});
+    std::vector<const PlyProperty*> found;
+    for (; found.empty() && parts.size() >= 3; parts.pop_back())
+    {
+      found = this->findNumbers(parts);
+      const bool areLike = std::all_of(found.begin(), found.end(),
+        [&found](const PlyProperty* part)
+        { return isInteger(part->type) == isInteger(found[0]->type); });
+      found = areLike ? found : std::vector<const PlyProperty*>();
+    }
+    if (!found.empty())
+    {
+      return found;
+    }
   }
-  const auto areAll = [&found](const auto& has)
-  {
-    return std::all_of(
-      found.begin(), found.end(), [&has](const PlyProperty* part) { return has(part->type); });
-  };
-  const bool areColors = areAll([](PlyNumber type) { return type == PlyNumber::uint8; }) ||
-                         areAll([](PlyNumber type) { return !isInteger(type); });
-  return areColors ? found : std::vector<const PlyProperty*>();
+  return {};
 }
 
 std::vector<const PlyProperty*> PlyElement::textureCoordinates() const
@@ -404,6 +415,13 @@ const PlyProperty* PlyElement::corners() const
   };
   const auto list = std::find_if(properties.begin(), properties.end(), isList);
   return std::count_if(properties.begin(), properties.end(), isList) == 1 ? &*list : nullptr;
+}
+
+bool areBytes(const std::vector<const PlyProperty*>& color)
+{
+  return !color.empty() &&
+         std::all_of(color.begin(), color.end(),
+           [](const PlyProperty* part) { return part->type == PlyNumber::uint8; });
 }
 
 const PlyElement& PlyHeader::vertices() const

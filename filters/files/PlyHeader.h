@@ -71,8 +71,8 @@ struct PlyElement
   /// The single numbers of these names; none where any is missing.
   std::vector<const PlyProperty*> findNumbers(const std::vector<const char*>& names) const;
 
-  /// The colour of a vertex or face: red, green, blue and, where there is one, alpha, all bytes or
-  /// all real numbers; none where they are others.
+  /// The colour of a vertex or face by any of its usual names: red, green, blue and, where there is
+  /// one, alpha, all of integers or all of real numbers; none where they are others.
   std::vector<const PlyProperty*> color() const;
 
   /// The two texture coordinates of a vertex, by any of their usual names, both whole numbers or
@@ -101,6 +101,9 @@ enum class PlyEncoding
 
 inline const std::vector<const char*> plyPosition = {"x", "y", "z"};
 inline const std::vector<const char*> plyNormal = {"nx", "ny", "nz"};
+
+/// Whether there are colours, and their numbers are bytes.
+bool areBytes(const std::vector<const PlyProperty*>& color);
 
 /// The header of a file: what follows behind it.
 struct PlyHeader

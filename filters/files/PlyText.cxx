@@ -143,12 +143,12 @@ public:
     }
   }
 
-  /// Leads colours into `colors`, or into `shares` where they are real numbers. Returns the number
-  /// of their components.
+  /// Leads colours into `colors` where they are bytes, else into `shares`. Returns the number of
+  /// their components.
   int aimColors(PlainArray<std::uint8_t>& colors, PlainArray<float>& shares)
   {
     const std::vector<const PlyProperty*> color = element_.color();
-    if (!color.empty() && isInteger(color[0]->type))
+    if (areBytes(color))
     {
       this->aim(color, colors);
     }
@@ -302,7 +302,7 @@ private:
       executor_);
     if (!shares.empty())
     {
-      mesh_.colors = bytesOfColors(shares);
+      mesh_.colors = bytesOfColors(shares, isInteger(vertex.color()[0]->type));
     }
   }
 
@@ -332,7 +332,7 @@ private:
     }
     if (!shares.empty())
     {
-      mesh_.faceColors = bytesOfColors(shares);
+      mesh_.faceColors = bytesOfColors(shares, isInteger(face.color()[0]->type));
     }
     append(
       mesh_.polygons, face.role == PlyRole::strips ? trianglesOfStrips(cells) : std::move(cells));

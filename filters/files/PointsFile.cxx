@@ -37,8 +37,10 @@ struct Layout
   std::array<std::size_t, 3> position = {0, 1, 2};
   std::array<std::size_t, 3> normal = {3, 4, 5};
   std::optional<std::size_t> area;
+  std::array<std::size_t, 3> viewpoint = {};
   std::vector<std::string> names; ///< of all columns; none where they have none
   bool hasNormals = false;
+  bool hasViewpoints = false;
   bool hasNames = false;
   bool normalsFollow = false; ///< in lines of their own, after all positions
 };
@@ -182,6 +184,7 @@ Layout findLayout(const InputFile& file, const ContentLines& lines, const Column
   {
     choice.check(file, names);
     layout.hasNormals = takeColumns(ColumnMeaning::normals, names, choice, layout.normal);
+    layout.hasViewpoints = takeColumns(ColumnMeaning::viewpoints, names, choice, layout.viewpoint);
     const std::vector<std::size_t> areas = columnsOf(ColumnMeaning::areas, names, choice);
     layout.area = areas.empty() ? std::nullopt : std::optional<std::size_t>(areas[0]);
     if (layout.numbersPerLine != names.size())
@@ -239,6 +242,11 @@ std::vector<OtherColumn> addOthers(const Layout& layout, std::vector<OtherNumber
     used.insert(*layout.area);
     taken.insert("Area");
   }
+  if (layout.hasViewpoints)
+  {
+    used.insert(layout.viewpoint.begin(), layout.viewpoint.end());
+    taken.insert("Viewpoints");
+  }
   std::vector<std::size_t> columns;
   for (std::size_t i = 0; i < layout.names.size(); ++i)
   {
@@ -258,7 +266,7 @@ std::vector<OtherColumn> addOthers(const Layout& layout, std::vector<OtherNumber
   return targets;
 }
 
-/// Reads the lines of a part into positions, normals, areas and other columns.
+/// Reads the lines of a part into positions, normals, areas, viewpoints and other columns.
 void readPart(ContentLines::Part& part, const Layout& layout,
   const std::vector<OtherColumn>& others, MeshArrays& mesh)
 {
@@ -290,6 +298,10 @@ void readPart(ContentLines::Part& part, const Layout& layout,
     {
       mesh.areas[line] = numbers[*layout.area];
     }
+    if (layout.hasViewpoints)
+    {
+      copyVector(numbers, layout.viewpoint, &mesh.viewpoints[3 * line]);
+    }
     for (const OtherColumn& other : others)
     {
       other.numbers[line] = numbers[other.column];
@@ -299,7 +311,7 @@ void readPart(ContentLines::Part& part, const Layout& layout,
 
 /// The number that stands for full intensity if vectors are colours; none if they are normals.
 /// Colours may be means of others. Of a few vectors, fractions beyond 1 are taken for normals.
-std::optional<double> intensityOf(const PlainArray<double>& vectors)
+std::optional<double> intensityOfVectors(const PlainArray<double>& vectors)
 {
   constexpr double most = 65535, tolerance = 0.01;
   constexpr std::size_t few = 16;
@@ -330,14 +342,14 @@ std::optional<double> intensityOf(const PlainArray<double>& vectors)
   {
     return {};
   }
-  return largest <= 1 ? 1 : largest <= 255 ? 255 : most;
+  return intensityOf(largest);
 }
 
 /// Makes colours of normals that are some.
 void tellColors(MeshArrays& mesh)
 {
   PlainArray<double>& vectors = mesh.normals.doubles;
-  const std::optional<double> intensity = intensityOf(vectors);
+  const std::optional<double> intensity = intensityOfVectors(vectors);
   if (!intensity)
   {
     return;
@@ -374,6 +386,7 @@ MeshArrays readPointColumns(const InputFile& file, const ColumnWishes& wishes, E
   mesh.points.doubles = PlainArray<double>(3 * layout.points);
   mesh.normals.doubles = PlainArray<double>(layout.hasNormals ? 3 * layout.points : 0);
   mesh.areas = PlainArray<double>(layout.area ? layout.points : 0);
+  mesh.viewpoints = PlainArray<double>(layout.hasViewpoints ? 3 * layout.points : 0);
   const std::vector<OtherColumn> targets =
     wishes.others ? addOthers(layout, mesh.others) : std::vector<OtherColumn>();
   progress.set(0.2, 1);

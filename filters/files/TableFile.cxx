@@ -329,6 +329,11 @@ PointTable readPointTable(const InputFile& file, const TableOptions& options, Ex
     {
       taken.insert("Area");
     }
+    if (parser.readInto(table.points.viewpoints,
+          columnsOf(ColumnMeaning::viewpoints, table.names, options.columns)))
+    {
+      taken.insert("Viewpoints");
+    }
   }
   if (options.texts)
   {

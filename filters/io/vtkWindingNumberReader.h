@@ -9,8 +9,9 @@
  * format it has.
  *
  * - PLY (.ply), as text or in either order of bytes: vertices, and faces; at
- *   the vertices, where there are any, normals "Normals", colours "RGB" or "RGBA" as bytes, and
- *   texture coordinates "TCoords" in single precision, as vtkPLYReader names them. Strips of
+ *   the vertices, where there are any, normals "Normals", colours "RGB" or "RGBA" as bytes,
+ *   whatever their numbers are in the file (red green blue, diffuse_red …, or r g b), and texture
+ *   coordinates "TCoords" in single precision, as vtkPLYReader names them. Strips of
  *   triangles (tristrips) become triangles. With ReadAllColumns other single numbers of vertices,
  *   and of faces where these are of one element, become arrays, of integers where the file has
  *   these, and so do colours of faces. Other elements and properties are passed over.
@@ -19,9 +20,9 @@
  *   vtkStaticCleanPolyData. The normals of facets and all attributes are passed over.
  * - Wavefront (.obj): vertices, faces, lines and points. Point normals "Normals" where there are as
  *   many as vertices and no corner names the normal of another vertex. Colours behind positions
- *   become "RGB", and objects, groups and materials numbers of faces, with their names in the field
- *   data. With ReadAllColumns texture coordinates become "TCoords": a vertex is there once for each
- *   that its corners name. Free-form geometry is passed over.
+ *   become "RGB", white for vertices without, and objects, groups and materials numbers of faces,
+ *   with their names in the field data. With ReadAllColumns texture coordinates become "TCoords": a
+ *   vertex is there once for each that its corners name. Free-form geometry is passed over.
  * - Geomview's Object File Format (.off), as text: the keyword OFF with the prefixes ST, C and N in
  *   any order, the counts on the same line or the next, comments from '#' on, one vertex and one
  *   face on a line. Faces with two corners become lines, those with one become vertices; a file
@@ -51,6 +52,8 @@
  * - nx, ny and nz become the active point normals "Normals";
  * - area becomes the point data array "Area", which vtkWindingNumberField takes for the areas of
  *   the points;
+ * - vp_x, vp_y and vp_z, or viewpoint_x and so on, become "Viewpoints": estimated normals look from
+ *   the points to these places, where they were seen from;
  * - all other columns become point data arrays of their names with ReadAllColumns: vtkDoubleArray
  *   where all fields are numbers, vtkStringArray otherwise. A column without a name becomes Column
  *   and its number, from 1 on; where another array has the name, the number stands behind it.
@@ -126,19 +129,19 @@ public:
   ///@{
   /**
    * For tables and points (.csv, .tsv, .xyz, .pwn): the columns to take, as "x=Easting y=Northing
-   * z=Height (m) nx=4 ny=5 nz=6 area=Patch". They are names, or numbers from 1 on where no column
-   * has that name. What is not said goes by the names above. Where x, y and z are numbers, and the
-   * first row has numbers in their columns, the file has no names; the columns are then called
-   * Column 1, Column 2 and so on. A column that is not there, or is taken twice, is an error.
-   * Default: none.
+   * z=Height (m) nx=4 ny=5 nz=6 area=Patch vx=7 vy=8 vz=9". They are names, or numbers from 1 on
+   * where no column has that name. What is not said goes by the names above. Where x, y and z are
+   * numbers, and the first row has numbers in their columns, the file has no names; the columns are
+   * then called Column 1, Column 2 and so on. A column that is not there, or is taken twice, is an
+   * error. Default: none.
    */
   vtkSetStringMacro(Columns);
   vtkGetStringMacro(Columns);
   ///@}
 
   ///@{
-  /// For tables: whether the columns nx, ny, nz and area become normals and areas. Otherwise they
-  /// are columns like all others. Default: on.
+  /// For tables: whether the columns nx, ny, nz, area and vp_x, vp_y and vp_z become arrays with a
+  /// meaning. Otherwise they are columns like all others. Default: on.
   vtkSetMacro(ReadNormalsAndAreas, bool);
   vtkGetMacro(ReadNormalsAndAreas, bool);
   vtkBooleanMacro(ReadNormalsAndAreas, bool);

@@ -208,6 +208,67 @@ TEST(Like, NiftiKeepsTheUnitOfLengths)
   EXPECT_EQ(contentsOf(plain)[units], 0) << "a surface has no unit";
 }
 
+TEST(Like, NiftiKeepsItsCodesAndBothTransforms)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1)));
+  constexpr std::size_t codes = 252, quaternion = 256, offsets = 268, rows = 280;
+  const auto maskLike = [&](int qform, int sform)
+  {
+    std::string head = asNifti(NiftiKind::sform);
+    head[codes] = static_cast<char>(qform);
+    head[codes + 2] = static_cast<char>(sform);
+    const float turn[] = {0.6F, 0, 0}, offset[] = {1, 2, 3}; // another place than the sform's
+    std::memcpy(&head[quaternion], turn, sizeof turn);
+    std::memcpy(&head[offsets], offset, sizeof offset);
+    const std::string like = folder.write("head.nii", head), mask = folder.path("mask.nii");
+    const Outcome run = runProgram({"voxels", in, "-o", mask, "--like", like, "--overwrite"});
+    EXPECT_EQ(run.status, 0) << run;
+    const bool saysNothing = qform == 0 && sform == 0;
+    EXPECT_EQ(run.err.find("qform_code and sform_code are 0") != std::string::npos, saysNothing)
+      << run;
+    const std::string made = contentsOf(mask);
+    EXPECT_EQ(made.substr(codes, 4), head.substr(codes, 4));
+    if (qform > 0 && sform > 0)
+    {
+      EXPECT_EQ(made.substr(76, 16), head.substr(76, 16)) << "the steps";
+      EXPECT_EQ(made.substr(quaternion, rows - quaternion), head.substr(quaternion, 24));
+    }
+    if (sform > 0)
+    {
+      EXPECT_EQ(made.substr(rows, 48), head.substr(rows, 48));
+    }
+  };
+  maskLike(0, 0);
+  maskLike(0, 4);
+  maskLike(2, 0);
+  maskLike(1, 4);
+}
+
+TEST(Like, NrrdKeepsTheUnitsOfSpace)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1)));
+  const auto unitsLike = [&](const std::string& units)
+  {
+    std::string head = asNrrd("left-posterior-superior");
+    head.insert(head.find("kinds"), units.empty() ? "" : "space units: " + units + "\n");
+    const std::string mask = folder.path("mask.nrrd");
+    const Outcome run = runProgram(
+      {"voxels", in, "-o", mask, "--like", folder.write("head.nrrd", head), "--overwrite"});
+    EXPECT_EQ(run.status, 0) << run;
+    const std::string made = contentsOf(mask), key = "\nspace units: ";
+    const std::size_t at = made.find(key);
+    return at == std::string::npos
+             ? ""
+             : made.substr(at + key.size(), made.find('\n', at + 1) - at - key.size());
+  };
+  EXPECT_EQ(unitsLike(R"("um" "um" "um")"), R"("um" "um" "um")");
+  EXPECT_EQ(unitsLike(R"("mm"   "mm" "a b" "s")"), R"("mm" "mm" "a b")");
+  EXPECT_EQ(unitsLike(""), "");
+  EXPECT_EQ(unitsLike("mm mm mm"), "") << "no units without quotation marks";
+}
+
 TEST(Like, DirectionsMayHaveFourDigits)
 {
   const TemporaryFolder folder;

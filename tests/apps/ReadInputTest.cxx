@@ -186,6 +186,66 @@ TEST(ReadInput, Unreadable)
   EXPECT_TRUE(run.saysInOneLine({in, "permissions"})) << run;
 }
 
+TEST(ReadInput, TextInUtf16IsNamed)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("in.off", asOff(sphere(1)));
+  for (const char* const name : {"a.obj", "a.csv", "a.gltf", "a.vtk", "a.vtp", "a.mhd"})
+  {
+    std::string wide = "\xFF\xFE";
+    for (const char letter : std::string("x,y,z\n0,0,0\n"))
+    {
+      wide += letter;
+      wide += '\0';
+    }
+    const std::string file = folder.write(name, wide);
+    const bool isImage = name == std::string("a.mhd");
+    const Outcome run =
+      isImage ? runProgram({"field", in, "-o", folder.path("a.vti"), "--like", file}) : check(file);
+    EXPECT_EQ(run.status, 2) << run;
+    EXPECT_TRUE(run.saysInOneLine({name, "is text in UTF-16; save it as UTF-8"})) << run;
+  }
+}
+
+/// VTK warns of keys that it does not know.
+TEST(ReadInput, WhatIsNotNeededIsNotSaid)
+{
+  const TemporaryFolder folder;
+  std::string file = asVtp(sphere(2));
+  const std::string key =
+    R"(<InformationKey name="NOTE" location="SomeProgram"> 3 </InformationKey>)";
+  const std::size_t end = file.find("</DataArray>");
+  ASSERT_NE(end, std::string::npos);
+  file.insert(end, key);
+  const Outcome run = check(folder.write("in.vtp", file));
+  EXPECT_EQ(run.status, 0) << run;
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(run.json()["closed"], true);
+}
+
+/// The first of several time steps is read, and a line says so.
+TEST(ReadInput, TheFirstOfTimeSteps)
+{
+  const TemporaryFolder folder;
+  const auto arrayOf = [](int step, const std::string& numbers)
+  {
+    return R"(<DataArray type="Float64" Name="Points" NumberOfComponents="3" TimeStep=")" +
+           std::to_string(step) + "\">" + numbers + "</DataArray>";
+  };
+  const std::string file = folder.write(
+    "steps.vtp", R"(<VTKFile type="PolyData" version="1.0"><PolyData TimeValues="0 1"><Piece)"
+                 R"( NumberOfPoints="4" NumberOfPolys="4"><Points>)" +
+                   arrayOf(0, "0 0 0 1 0 0 0 1 0 0 0 1") + arrayOf(1, "0 0 0 3 0 0 0 3 0 0 0 3") +
+                   R"(</Points><Polys><DataArray type="Int64" Name="connectivity">)"
+                   R"(0 2 1 0 1 3 0 3 2 1 2 3</DataArray><DataArray type="Int64" Name="offsets">)"
+                   R"(3 6 9 12</DataArray></Polys></Piece></PolyData></VTKFile>)");
+  const Outcome run = check(file);
+  ASSERT_EQ(run.status, 0) << run;
+  EXPECT_NEAR(run.json()["volume"], 1 / 6.0, 1e-12);
+  EXPECT_NE(run.err.find("steps.vtp: has 2 time steps; the first one is read\n"), std::string::npos)
+    << run;
+}
+
 TEST(ReadInput, UnknownSuffix)
 {
   const TemporaryFolder folder;
@@ -456,12 +516,12 @@ TEST(ReadInput, WarningsAreOneLineEachAndQuietDropsThem)
   Mesh mesh = sphere(1);
   mesh.points[3][1] = std::numeric_limits<double>::quiet_NaN();
   const std::string in = folder.write("in.off", asOff(mesh));
-  const Outcome loud = runProgram({"field", in, "-o", folder.path("a.vti"), "--resolution", "4"});
+  const Outcome loud = runProgram({"field", in, "-o", folder.path("a.vti"), "--resolution", "8"});
   EXPECT_EQ(loud.status, 0) << loud;
   EXPECT_EQ(loud.err.rfind("winding: warning: " + in, 0), 0u) << loud;
   EXPECT_EQ(loud.err.find('\n'), loud.err.size() - 1) << loud;
   const Outcome quiet =
-    runProgram({"field", in, "-o", folder.path("a.vti"), "--resolution", "4", "--quiet"});
+    runProgram({"field", in, "-o", folder.path("a.vti"), "--resolution", "8", "--quiet"});
   EXPECT_EQ(quiet.err, "");
   EXPECT_EQ(quiet.out, "");
 }

@@ -3,6 +3,11 @@
 #include "apps/Inputs.h"
 #include "apps/RunProgram.h"
 
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataReader.h"
 #include "vtk_zlib.h"
 
 #include <gtest/gtest.h>
@@ -166,6 +171,79 @@ TEST_F(ThreeMf, PlacesObjectsAsItsBuildSays)
   EXPECT_NEAR(this->check(packageOf(modelOf(objects, "")))["volume"], 3, 1e-12);
   EXPECT_EQ(this->names(packageOf(modelOf(objects, R"(<item objectid="2"/>)"))),
     (std::vector<std::string>{"cube", "cube (2)"}));
+}
+
+TEST_F(ThreeMf, LeavesOutItemsThatAreNotPrinted)
+{
+  const std::string objects = objectOf(R"(id="1")", cubesOf(1)) + objectOf(R"(id="2")", cubesOf(2));
+  for (const char* const no : {"0", "false"})
+  {
+    const std::string model =
+      modelOf(objects, R"(<item objectid="1" printable="1"/><item objectid="2" printable=")" +
+                         std::string(no) + R"("/>)");
+    const nlohmann::json report =
+      this->check(packageOf(model), "a.3mf: left out: 1 item that is not to be printed\n");
+    EXPECT_NEAR(report["volume"], 1, 1e-12);
+  }
+  this->expectRefused(packageOf(modelOf(objects, R"(<item objectid="2" printable="0"/>)")),
+    "has nothing to be made, only 1 item that is not to be printed, 1 object outside of its build");
+}
+
+/// Colours of groups and of materials stay, of objects, triangles and corners.
+TEST_F(ThreeMf, KeepsItsColors)
+{
+  const std::string groups =
+    R"(<m:colorgroup id="7"><m:color color="#FF0000"/><m:color color="#0000fF"/></m:colorgroup>)"
+    R"(<basematerials id="8"><base name="a" displaycolor="#00800080"/></basematerials>)";
+  const std::string space =
+    R"(xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02")";
+  std::string corners = cubesOf(1); // the first triangle is blue, of the second a corner
+  corners.insert(corners.find("/>", corners.find("<triangle")), R"( pid="7" p1="1")");
+  std::size_t second = corners.find("<triangle", corners.find("p1="));
+  corners.insert(corners.find("/>", second), R"( pid="7" p1="0" p2="0" p3="1")");
+  const std::string model = modelOf(groups + objectOf(R"(id="1" pid="8" pindex="0")", cubesOf(1)) +
+                                      objectOf(R"(id="2" pid="7" pindex="0")", corners),
+    R"(<item objectid="1"/><item objectid="2" transform="1 0 0 0 1 0 0 0 1 5 0 0"/>)", space);
+  const std::string in = folder.write("a.3mf", packageOf(model)), out = folder.path("out.vtp");
+  const Outcome run =
+    runProgram({"surface", in, "-o", out, "--resolution", "90", "--transfer-attributes"});
+  ASSERT_EQ(run.status, 0) << run;
+  EXPECT_EQ(run.err.find("warning"), std::string::npos) << run;
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(out.c_str());
+  reader->Update();
+  vtkPolyData* const surface = reader->GetOutput();
+  vtkDataArray* const colors = surface->GetPointData()->GetScalars();
+  ASSERT_TRUE(colors);
+  EXPECT_STREQ(colors->GetName(), "RGBA");
+  int mixed = 0;
+  for (vtkIdType n = 0; n < surface->GetNumberOfPoints(); ++n)
+  {
+    double place[3], color[4];
+    surface->GetPoint(n, place);
+    colors->GetTuple(n, color);
+    if (place[0] < 3)
+    {
+      EXPECT_EQ(std::vector<double>(color, color + 4), (std::vector<double>{0, 128, 0, 128}));
+      continue;
+    }
+    const bool isBelow = place[2] < 1e-3; // where the first two triangles are
+    const double x = place[0] - 5, y = place[1], margin = 0.05;
+    EXPECT_EQ(color[3], 255);
+    if (!isBelow || (x > margin && x < y - margin && y < 1 - margin))
+    {
+      EXPECT_EQ(color[2], isBelow ? 255 : 0) << x << " " << y << " " << place[2];
+    }
+    mixed += isBelow && x > y && color[2] > 50 && color[2] < 205 ? 1 : 0;
+  }
+  EXPECT_GT(mixed, 3); // measured: 6
+  this->expectRefused(
+    packageOf(modelOf(R"(<basematerials id="8"><base displaycolor="red"/></basematerials>)", "")),
+    "'red' for displaycolor");
+  this->expectRefused(
+    packageOf(modelOf(groups + objectOf(R"(id="1" pid="7" pindex="2")", cubesOf(1)),
+      R"(<item objectid="1"/>)", space)),
+    "a color that is not there");
 }
 
 TEST_F(ThreeMf, SaysItsUnit)

@@ -77,6 +77,23 @@ class FilesOfOthers(unittest.TestCase):
             self.assertEqual(run.returncode, 2, size)
             self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
 
+    @unittest.skipUnless(is_there("h5py"), "no h5py")
+    def test_vtkhdf_with_steps_is_its_first_one(self):
+        import vtkhdf
+
+        file = self.folder / "steps.vtkhdf"
+        for parts in (1, 2):
+            vtkhdf.write_steps(file, POINTS, TRIANGLES, [3, 0, 7], parts)
+            run = self.winding("check", file)
+            if "no reader of VTKHDF" in run.stderr:
+                self.skipTest(run.stderr)
+            self.expect_octahedra(file, 1)
+            self.assertEqual(self.report(file)["bbox"], [2, -1, -1, 4, 1, 1])
+            self.assertIn("has 3 time steps; the first one is read", run.stderr)
+            self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
+        vtkhdf.write_steps(file, POINTS, TRIANGLES, [3])
+        self.assertEqual(self.winding("check", file).stderr, "")
+
     @unittest.skipUnless(is_there("trimesh") and is_there("lxml"), "no trimesh")
     def test_3mf_of_trimesh(self):
         import trimesh

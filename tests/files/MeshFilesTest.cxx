@@ -93,8 +93,12 @@ TEST(ObjFile, ColorsStandBehindPositions)
   EXPECT_TRUE(mesh.notes.empty());
   const MeshArrays bytes = parsed(readObj, "v 0 0 0 255 7 0\nv 1 0 0 1 2 3\nv 0 1 0\n");
   EXPECT_EQ(std::vector<int>(bytes.colors.begin(), bytes.colors.end()),
-    (std::vector<int>{255, 7, 0, 1, 2, 3, 0, 0, 0}));
+    (std::vector<int>{255, 7, 0, 1, 2, 3, 255, 255, 255}));
   EXPECT_EQ(bytes.notes.size(), 1u) << "a vertex has no colour";
+  const MeshArrays late = parsed(readObj, "v 0 0 0\nv 1 0 0 1\nv 0 1 0 0 0.5 1\nf 1 2 3\n");
+  EXPECT_EQ(std::vector<int>(late.colors.begin(), late.colors.end()),
+    (std::vector<int>{255, 255, 255, 255, 255, 255, 0, 128, 255}));
+  EXPECT_EQ(late.notes.size(), 1u) << "two vertices have no colour";
   // Four numbers are a position with a weight.
   EXPECT_TRUE(parsed(readObj, "v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\n").colors.empty());
 }
@@ -320,6 +324,9 @@ TEST(PointsFile, ColumnsMayBeChosen)
   EXPECT_EQ(vectorOf(plain.normals.doubles), (std::vector<double>{0, 0, 1}));
   EXPECT_EQ(vectorOf(plain.areas), (std::vector<double>{4}));
   EXPECT_EQ(rest, "Column 1=9 ");
+  const auto [seen, none] = read("x y z vp_x vp_y vp_z\n1 2 3 7 8 9\n", "");
+  EXPECT_EQ(vectorOf(seen.viewpoints), (std::vector<double>{7, 8, 9}));
+  EXPECT_EQ(none, "");
   const auto [named, others] = read("//East North Height R area\n1\n1;2;3;7;5\n", "x=East y=North");
   EXPECT_EQ(vectorOf(named.points.doubles), (std::vector<double>{1, 2, 3}));
   EXPECT_EQ(vectorOf(named.areas), (std::vector<double>{5}));
@@ -466,6 +473,38 @@ std::vector<LargeFile> largeFiles()
         "3 %lld %lld %lld\n")},
     {"xyz", readPoints, lines("", "%.17g %.17g %.17g 0 0 1\n", nullptr)},
     {"pwn", readPoints, lines(count + "\n", "%.17g %.17g %.17g\n", "%lld %lld %lld\n")}};
+}
+
+/// Text in UTF-16, in either order of bytes and with a mark or without, is named as such.
+TEST(MeshFiles, InUtf16AreNamed)
+{
+  const std::pair<Parser, std::string> files[] = {{readObj, threeVertices + "f 1 2 3\n"},
+    {readOff, "OFF\n1 0 0\n0 0 0\n"}, {readPoints, "0 0 0 0 0 1\n"}, {readStl, "solid \n"},
+    {readPly, "ply\nformat ascii 1.0\n"}};
+  for (const auto& [parser, text] : files)
+  {
+    for (const bool isBig : {false, true})
+    {
+      for (const bool isMarked : {false, true})
+      {
+        std::string wide = !isMarked ? "" : isBig ? "\xFE\xFF" : "\xFF\xFE";
+        for (const char letter : text)
+        {
+          const char pair[] = {isBig ? '\0' : letter, isBig ? letter : '\0'};
+          wide.append(pair, 2);
+        }
+        wide += isMarked ? "\x30\x42\x30\x44" : ""; // letters that are not Latin
+        EXPECT_EQ(refusalOf(parser, wide), "is text in UTF-16; save it as UTF-8") << text;
+      }
+    }
+  }
+}
+
+TEST(MeshFiles, OfZerosAreNotTakenForUtf16)
+{
+  std::string bytes(84 + 50 * 5, '\0');
+  bytes[80] = 5; // triangles
+  EXPECT_EQ(parsed(readStl, bytes).polygons.count(), 5u);
 }
 
 TEST(LargeFiles, AreTheSameForAllExecutors)

@@ -368,6 +368,62 @@ TEST(PlyFile, ColorsOfRealNumbersBecomeBytes)
   }
 }
 
+/// Colours of any integers are 0 to 255 or, where one is larger, to 65535.
+TEST(PlyFile, ColorsOfAnyIntegersAndNamesBecomeBytes)
+{
+  for (const std::string format : formats)
+  {
+    for (const std::string prefix : {"red", "diffuse_red", "r"})
+    {
+      for (const int most : {255, 65535})
+      {
+        for (const std::string type : {"ushort", "int", "uint", most > 255 ? "double" : "char"})
+        {
+          SCOPED_TRACE(format + " " + prefix + " " + type + " to " + std::to_string(most));
+          const auto property = [&](const std::string& color)
+          {
+            const std::string own = prefix == "r" ? color.substr(0, 1) : color;
+            const bool isDiffuse = prefix == "diffuse_red";
+            return "property " + type + (isDiffuse ? " diffuse_" : " ") + own + "\n";
+          };
+          const std::string header = vertexHead(2, "float") + property("red") + property("green") +
+                                     property("blue") + property("alpha");
+          Body body(format);
+          for (const std::array<int, 4>& color :
+            {std::array<int, 4>{most, 0, most / 5, most}, {0, most / 255, 2 * most / 5, most / 3}})
+          {
+            body.add<float>(1).add<float>(2).add<float>(3);
+            for (const int number : color)
+            {
+              body.add(type, type == "char" && number > 127 ? number - 256 : number);
+            }
+            body.endItem();
+          }
+          const MeshArrays mesh = parsed(readPly, head(format, header) + body.bytes());
+          EXPECT_EQ(mesh.colorComponents, 4);
+          EXPECT_EQ(std::vector<int>(mesh.colors.begin(), mesh.colors.end()),
+            (std::vector<int>{255, 0, 51, 255, 0, 1, 102, 85}));
+        }
+      }
+    }
+  }
+}
+
+/// The end of the header is the CR alone: LF may be the first byte of a number.
+TEST(PlyFile, BinaryDataMayBeginWithLfBehindLinesThatEndWithCr)
+{
+  Body body("binary_little_endian");
+  const float first = 3.0000024F; // its first byte is 10
+  body.add<float>(first).add<float>(2).add<float>(3).endItem();
+  ASSERT_EQ(body.bytes()[0], '\n');
+  std::string header = head("binary_little_endian", vertexHead(1, "float"));
+  const MeshArrays usual = parsed(readPly, header + body.bytes());
+  std::replace(header.begin(), header.end(), '\n', '\r');
+  const MeshArrays mesh = parsed(readPly, header + body.bytes());
+  EXPECT_EQ(pointsOf(mesh), pointsOf(usual));
+  EXPECT_EQ(pointsOf(mesh), (std::vector<double>{first, 2, 3}));
+}
+
 TEST(PlyFile, NumbersOfFacesAreReadWhereTheyAreWanted)
 {
   const auto wanted = [](const InputFile& file, Executor& executor)

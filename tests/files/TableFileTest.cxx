@@ -619,6 +619,12 @@ TEST(ChosenColumns, AreTakenByNamesAndNumbers)
   const Table table = readChosen("1;2;3;0;0;1;8;text\n", "x=1 y=2 z=3 nx=4 ny=5 nz=6 area=7");
   EXPECT_EQ(vectorOf(table.points.normals.doubles), (Numbers{0, 0, 1}));
   EXPECT_EQ(vectorOf(table.points.areas), (Numbers{8}));
+  EXPECT_TRUE(table.points.viewpoints.empty());
+  const Table seen = readChosen("x,y,z,VP_x,VP_y,VP_z,vx,vy,vz\n1,2,3,4,5,6,7,8,9\n", "");
+  EXPECT_EQ(vectorOf(seen.points.viewpoints), (Numbers{4, 5, 6}));
+  EXPECT_EQ(seen.columns.size(), 3U) << "velocities";
+  const Table chosen = readChosen("1,2,3,4,5,6\n", "x=1 y=2 z=3 vx=4 vy=5 vz=6");
+  EXPECT_EQ(vectorOf(chosen.points.viewpoints), (Numbers{4, 5, 6}));
   ASSERT_EQ(table.columns.size(), 1U);
   EXPECT_EQ(table.columns[0].name, "Column 8");
   EXPECT_EQ(
@@ -650,6 +656,7 @@ TEST(ChosenColumns, ThatMakeNoSenseAreRefused)
   EXPECT_NE(refusal("x=6").find("no column 6"), std::string::npos);
   EXPECT_NE(refusal("x=y").find("column y is taken twice"), std::string::npos);
   EXPECT_NE(refusal("nx=nx").find("no columns for all of nx, ny and nz"), std::string::npos);
+  EXPECT_NE(refusal("vx=nx").find("no columns for all of vx, vy and vz"), std::string::npos);
 }
 
 } // namespace

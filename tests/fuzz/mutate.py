@@ -174,6 +174,7 @@ def command_for(chance, name, other):
     if command in ("surface", "voxels"):
         output = "out" + chance.choice((".obj", ".stl", ".ply", ".vtp"))
         more = chance.choice(([], ["--offset", "0.2"], ["--offset=-0.1"], ["--fill-cavities"],
+                              ["--fill-cavities", "--gap-width", "0.2"],
                               ["--shell", "0.3", "--shell-side", "centered"],
                               ["--transfer-attributes"], ["--nearest-cells"],
                               ["--transfer-attributes", "--nearest-cells"]))

@@ -68,6 +68,8 @@ def obj(points, faces):
     yield "slashes", "# made by hand\n" + vertices + extras + text(
         ("f", *(f"{i + 1}/1/1" for i in f)) for f in faces
     ) + "l 1 2 3\np 1\n"
+    yield "colors", text(("v", *p, *(i, 0.5, 1)[:i % 2 * 3]) for i, p in enumerate(points)) + text(
+        ("f", *(i + 1 for i in f)) for f in faces)
     yield "free_form", "\ufeff" + vertices + "v nan 1.#INF 0\nsurf 0 1 0 1 1 2 3\nfo 1 2 3\n"
 
 
@@ -104,6 +106,9 @@ def ply(points, faces):
         f"ply\nformat ascii 1.0\nelement vertex {len(points)}\nproperty float x\n"
         "property float y\nproperty float z\nend_header\n"
     ) + text(points)
+    yield "colors", header(
+        "ascii", extra="property ushort r\nproperty ushort g\nproperty ushort b\n"
+    ) + text(p + (65535, 7, 0) for p in points) + listed
     strips = [0, 1, 2, -1, -1, 2, 1, 0]
     several = header("ascii").replace("face", "polygon").replace(
         "end_header", "element tristrips 1\nproperty list int int vertex_indices\nelement edge 1\n"
@@ -284,28 +289,39 @@ def gltf_parts(points, faces):
     corners = [(f[0], f[i], f[i + 1]) for f in faces for i in range(1, len(f) - 1)]
     positions = struct.pack(f"<{3 * len(points)}f", *(x for p in points for x in p))
     ids = struct.pack(f"<{3 * len(corners)}I", *(i for c in corners for i in c))
-    number, whole = 5126, 5125  # types: float, unsigned int
+    number, whole, byte, count = 5126, 5125, 5121, len(points)  # types: float, unsigned int, byte
+    weights = struct.pack(f"<{4 * count}f", *(0.5, 0.25, 0, 0) * count)
+    joints, colors = bytes((0, 1, 0, 0)) * count, bytes((255, 7, 0, 128)) * count
     about = {
         "asset": {"version": "2.0"},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
         "nodes": [
             {"mesh": 0, "scale": [2, 1, 1], "children": [1]},
-            {"mesh": 0, "translation": [9, 0, 0]},
+            {"mesh": 0, "skin": 0, "translation": [9, 0, 0]},
         ],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "skins": [{"joints": [0, 1]}],
+        "meshes": [{"primitives": [{"indices": 1, "attributes": {
+            "POSITION": 0, "WEIGHTS_0": 2, "JOINTS_0": 3, "COLOR_0": 4}}]}],
         "accessors": [
             {"bufferView": 0, "componentType": number, "count": len(points), "type": "VEC3",
              "min": [min(x) for x in zip(*points)], "max": [max(x) for x in zip(*points)]},
             {"bufferView": 1, "componentType": whole, "count": 3 * len(corners), "type": "SCALAR"},
+            {"bufferView": 2, "componentType": number, "count": count, "type": "VEC4"},
+            {"bufferView": 3, "componentType": byte, "count": count, "type": "VEC4"},
+            {"bufferView": 4, "componentType": byte, "count": count, "type": "VEC4",
+             "normalized": True},
         ],
         "bufferViews": [
             {"buffer": 0, "byteOffset": 0, "byteLength": len(positions)},
             {"buffer": 0, "byteOffset": len(positions), "byteLength": len(ids)},
+            *({"buffer": 0, "byteOffset": start, "byteLength": len(part)} for start, part in (
+                (len(positions + ids), weights), (len(positions + ids + weights), joints),
+                (len(positions + ids + weights + joints), colors))),
         ],
-        "buffers": [{"byteLength": len(positions + ids)}],
+        "buffers": [{"byteLength": len(positions + ids + weights + joints + colors)}],
     }
-    return about, positions + ids
+    return about, positions + ids + weights + joints + colors
 
 
 def gltf(points, faces):
@@ -326,8 +342,11 @@ def glb(points, faces):
 
 MODEL = """<?xml version="1.0"?>
 <model unit="{}" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
- xmlns:p="http://schemas.microsoft.com/3dmanufacturing/production/2015/06">
+ xmlns:p="http://schemas.microsoft.com/3dmanufacturing/production/2015/06"
+ xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02">
 <resources>
+<m:colorgroup id="7"><m:color color="#FF8000"/><m:color color="#0080ff80"/></m:colorgroup>
+<basematerials id="8"><base name="a" displaycolor="#00FF00"/></basematerials>
 {}</resources><build>
 {}</build></model>
 """
@@ -339,9 +358,10 @@ def three_mf(points, faces):
     mesh = "<mesh><vertices>\n" + "".join(
         f'<vertex x="{x}" y="{y}" z="{z}"/>\n' for x, y, z in points
     ) + "</vertices><triangles>\n" + "".join(
-        f'<triangle v1="{a}" v2="{b}" v3="{c}"/>\n' for a, b, c in corners
+        f'<triangle v1="{a}" v2="{b}" v3="{c}" pid="7" p1="0" p2="{c % 2}"/>\n'
+        for a, b, c in corners
     ) + "</triangles></mesh>"
-    shape = f'<object id="1" name="shape">{mesh}</object>\n'
+    shape = f'<object id="1" name="shape" pid="8" pindex="0">{mesh}</object>\n'
     pair = (
         '<object id="2"><components>'
         '<component objectid="1" transform="1 0 0 0 1 0 0 0 1 9 0 0"/>\n'
@@ -359,6 +379,7 @@ def three_mf(points, faces):
         "_rels/.rels": links,
         "3D/a.model": MODEL.format(
             "inch", shape + pair, '<item objectid="2"/><item objectid="1"/>\n'
+            '<item objectid="1" printable="0"/>\n'
         ),
         "3D/b.model": MODEL.format("millimeter", shape, ""),
         "Metadata/Slic3r_PE_model.config": notes,
@@ -377,6 +398,9 @@ def hdf(points, faces):
         file = io.BytesIO()
         vtkhdf.write(file, points, corners, "UnstructuredGrid", parts)
         yield name, file.getvalue()
+        file = io.BytesIO()
+        vtkhdf.write_steps(file, points, corners, [0, 5], parts)
+        yield f"steps_{name}", file.getvalue()
 
 
 def table(points, separator):
@@ -489,7 +513,7 @@ COMMANDS = [
     "field a.off -o b.vti --resolution 8 --inside --distance --distance-band 2",
     "field a.off -o b.vti --coverage fraction --coverage-samples 3",
     "field a.csv -o b.vti --dims 4 5 6 --bounds 0 1 0 1 0 1 --regularization 1 --pieces 3",
-    "field a.csv -o b.vti --areas constant --area 0.5",
+    "field a.csv -o b.vti --areas constant --area .5 --bounds -1 1 -.5 1. -1 +1",
     "field a.off -o b.nii.gz --like c.mha --inside-only",
     "surface a.ply -o b.stl --voxel-size 0.1 --threshold 0.4 --rule absolute",
     "surface a.stl b.stl -o c.vtp --mirror y=0 --mirror z=1 --flat-base z=-2 --weld-tolerance 1e-6",

@@ -137,11 +137,6 @@ GltfDocument::GltfDocument(std::string fileName)
   const bool isRead = isBinary ? loader.LoadBinaryFromFile(&model_, &error, &warning, fileName_)
                                : loader.LoadASCIIFromString(&model_, &error, &warning, text.data(),
                                    static_cast<unsigned int>(text.size()), folder);
-  if (!isRead)
-  {
-    const std::string line = error.substr(0, error.find('\n'));
-    this->refuse("cannot be read as glTF: " + (line.empty() ? "it is damaged" : line));
-  }
   for (const std::string& extension : model_.extensionsRequired)
   {
     const bool isKnown =
@@ -150,18 +145,52 @@ GltfDocument::GltfDocument(std::string fileName)
       extension == "KHR_lights_punctual" || extension == "EXT_texture_webp";
     if (!isKnown)
     {
-      this->refuse(
-        "needs the extension " + extension + "; export it without, uncompressed, or as .obj");
+      this->refuseExtension(extension);
     }
   }
+  this->checkCompression(isRead);
+  if (!isRead)
+  {
+    const std::string line = error.substr(0, error.find('\n'));
+    this->refuse("cannot be read as glTF: " + (line.empty() ? "it is damaged" : line));
+  }
+}
+
+void GltfDocument::checkCompression(bool isRead) const
+{
+  const bool hasPositions = isRead && this->hasAllPositions();
+  for (const std::string& extension : model_.extensionsUsed)
+  {
+    if (!hasPositions && endsWith(extension, "_compression"))
+    {
+      this->refuseExtension(extension);
+    }
+  }
+}
+
+bool GltfDocument::hasAllPositions() const
+{
+  const auto hasPositions = [this](const tinygltf::Primitive& primitive)
+  {
+    const auto position = primitive.attributes.find("POSITION");
+    return position == primitive.attributes.end() ||
+           this->item(model_.accessors, position->second, "accessor").bufferView >= 0;
+  };
+  return std::all_of(model_.meshes.begin(), model_.meshes.end(),
+    [&](const tinygltf::Mesh& mesh)
+    { return std::all_of(mesh.primitives.begin(), mesh.primitives.end(), hasPositions); });
+}
+
+std::size_t GltfDocument::componentsOf(int accessorNumber) const
+{
+  const tinygltf::Accessor& accessor = this->item(model_.accessors, accessorNumber, "accessor");
+  return atLeastZero(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
 }
 
 std::vector<double> GltfDocument::numbers(int accessorNumber, std::size_t components) const
 {
   const tinygltf::Accessor& accessor = this->item(model_.accessors, accessorNumber, "accessor");
-  if (static_cast<std::size_t>(
-        std::max(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)), 0)) !=
-      components)
+  if (this->componentsOf(accessorNumber) != components)
   {
     this->refuse("has an accessor of another type than it must be; it is damaged");
   }
@@ -197,6 +226,12 @@ std::vector<double> GltfDocument::numbers(int accessorNumber, std::size_t compon
 void GltfDocument::refuse(const std::string& what) const
 {
   throw Failure(EXIT_REFUSED, fileName_, what);
+}
+
+void GltfDocument::refuseExtension(const std::string& extension) const
+{
+  this->refuse(
+    "needs the extension " + extension + "; export it without, uncompressed, or as .obj");
 }
 
 void GltfDocument::refuseNumber(int number, std::size_t count, const char* kind) const

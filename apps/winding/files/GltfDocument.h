@@ -32,12 +32,18 @@ public:
     return items[static_cast<std::size_t>(number)];
   }
 
+  /// Returns how many numbers each item of an accessor has.
+  std::size_t componentsOf(int accessorNumber) const;
+
   /// Returns the numbers of an accessor, `components` for each of its items.
   std::vector<double> numbers(int accessorNumber, std::size_t components) const;
 
 private:
   [[noreturn]] void refuse(const std::string& what) const;
+  [[noreturn]] void refuseExtension(const std::string& extension) const;
   [[noreturn]] void refuseNumber(int number, std::size_t count, const char* kind) const;
+  void checkCompression(bool isRead) const; ///< of meshes that have nothing else
+  bool hasAllPositions() const;
   void readView(int viewNumber, std::size_t offset, int componentType, bool isNormalized,
     std::size_t components, double* to, std::size_t count) const;
 

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -59,34 +61,20 @@ public:
     , places_(model_.nodes.size(), Transform::Identity())
     , isVisited_(model_.nodes.size(), 0)
   {
-    std::vector<int> roots;
     if (!model_.scenes.empty())
     {
-      roots = document_.item(model_.scenes, std::max(model_.defaultScene, 0), "scene").nodes;
-    }
-    else
-    {
-      std::vector<char> isChild(model_.nodes.size(), 0);
-      for (const tinygltf::Node& node : model_.nodes)
+      for (const int root :
+        document_.item(model_.scenes, std::max(model_.defaultScene, 0), "scene").nodes)
       {
-        for (const int child : node.children)
-        {
-          document_.item(model_.nodes, child, "node");
-          isChild[static_cast<std::size_t>(child)] = 1;
-        }
-      }
-      for (std::size_t i = 0; i < isChild.size(); ++i)
-      {
-        if (!isChild[i])
-        {
-          roots.push_back(static_cast<int>(i));
-        }
+        this->place(root, Transform::Identity());
       }
     }
-    for (const int root : roots)
+    const std::size_t shown = model_.scenes.empty() ? model_.nodes.size() : order_.size();
+    for (const int root : this->topNodes()) // joints need not be in the scene
     {
       this->place(root, Transform::Identity());
     }
+    order_.resize(std::min(shown, order_.size()));
     for (const int node : order_)
     {
       this->addNode(
@@ -97,6 +85,29 @@ public:
   const std::vector<MeshBlock>& blocks() const { return blocks_; }
 
 private:
+  /// Returns the nodes that are below no other.
+  std::vector<int> topNodes() const
+  {
+    std::vector<char> isChild(model_.nodes.size(), 0);
+    for (const tinygltf::Node& node : model_.nodes)
+    {
+      for (const int child : node.children)
+      {
+        document_.item(model_.nodes, child, "node");
+        isChild[static_cast<std::size_t>(child)] = 1;
+      }
+    }
+    std::vector<int> tops;
+    for (std::size_t i = 0; i < isChild.size(); ++i)
+    {
+      if (!isChild[i])
+      {
+        tops.push_back(static_cast<int>(i));
+      }
+    }
+    return tops;
+  }
+
   /// Finds where a node and those below it stand. A node has one parent at most.
   void place(int root, const Transform& parent)
   {
@@ -204,31 +215,48 @@ private:
     return positions;
   }
 
-  /// The transform of each vertex by the joints of a skin.
-  std::vector<Transform> skinOf(
-    const tinygltf::Primitive& primitive, int skinNumber, std::size_t vertices) const
+  /// Returns the transform of each vertex by the joints of a skin, whose weights may have any sum;
+  /// `place` where they have none. Nothing for a primitive without joints.
+  std::vector<Transform> skinOf(const tinygltf::Primitive& primitive, int skinNumber,
+    std::size_t vertices, const Transform& place) const
   {
-    const auto joints = primitive.attributes.find("JOINTS_0");
-    const auto shares = primitive.attributes.find("WEIGHTS_0");
-    if (skinNumber < 0 || joints == primitive.attributes.end() ||
-        shares == primitive.attributes.end())
+    std::vector<Transform> result;
+    std::vector<double> sums(vertices, 0);
+    for (int set = 0; skinNumber >= 0; ++set) // of four joints each
     {
-      return {};
+      const auto joints = primitive.attributes.find("JOINTS_" + std::to_string(set));
+      const auto shares = primitive.attributes.find("WEIGHTS_" + std::to_string(set));
+      if (joints == primitive.attributes.end() || shares == primitive.attributes.end())
+      {
+        break;
+      }
+      result.resize(vertices, Transform::Zero());
+      this->addJoints(document_.item(model_.skins, skinNumber, "skin"),
+        document_.numbers(joints->second, 4), document_.numbers(shares->second, 4), result, sums);
     }
-    const tinygltf::Skin& skin = document_.item(model_.skins, skinNumber, "skin");
-    const std::vector<double> numbers = document_.numbers(joints->second, 4);
-    const std::vector<double> weights = document_.numbers(shares->second, 4);
+    for (std::size_t i = 0; i < result.size(); ++i)
+    {
+      result[i] = sums[i] > 0 ? Transform(result[i] / sums[i]) : place;
+    }
+    return result;
+  }
+
+  /// Adds the transforms of four joints of each vertex by their weights, and these to their sums.
+  void addJoints(const tinygltf::Skin& skin, const std::vector<double>& joints,
+    const std::vector<double>& weights, std::vector<Transform>& result,
+    std::vector<double>& sums) const
+  {
     const std::vector<double> binds = skin.inverseBindMatrices < 0
                                         ? std::vector<double>()
                                         : document_.numbers(skin.inverseBindMatrices, 16);
-    std::vector<Transform> result(vertices, Transform::Zero());
-    for (std::size_t i = 0; i < 4 * vertices && i < std::min(numbers.size(), weights.size()); ++i)
+    for (std::size_t i = 0; i < 4 * result.size() && i < std::min(joints.size(), weights.size());
+         ++i)
     {
       if (weights[i] == 0)
       {
         continue;
       }
-      const auto joint = static_cast<std::size_t>(numbers[i]);
+      const auto joint = static_cast<std::size_t>(joints[i]);
       const int node = document_.item(skin.joints, static_cast<int>(joint), "joint");
       document_.item(model_.nodes, node, "node");
       Transform bind = Transform::Identity();
@@ -237,8 +265,8 @@ private:
         bind = Eigen::Map<const Transform>(binds.data() + 16 * joint);
       }
       result[i / 4] += weights[i] * places_[static_cast<std::size_t>(node)] * bind;
+      sums[i / 4] += weights[i];
     }
-    return result;
   }
 
   void addPrimitive(const tinygltf::Primitive& primitive, const tinygltf::Node& node,
@@ -246,7 +274,7 @@ private:
   {
     const std::vector<double> positions = this->positionsOf(primitive, weights);
     const std::size_t vertices = positions.size() / 3;
-    const std::vector<Transform> skin = this->skinOf(primitive, node.skin, vertices);
+    const std::vector<Transform> skin = this->skinOf(primitive, node.skin, vertices, place);
     const auto first = static_cast<vtkIdType>(block.points.size());
     for (std::size_t i = 0; i < vertices; ++i)
     {
@@ -254,6 +282,7 @@ private:
         positions[3 * i], positions[3 * i + 1], positions[3 * i + 2], 1);
       block.points.emplace_back(((skin.empty() ? place : skin[i]) * position).head<3>());
     }
+    this->addColors(primitive, vertices, block);
     const Transform& whole = skin.empty() ? place : skin.front();
     const bool isMirrored = whole.topLeftCorner<3, 3>().determinant() < 0;
     std::vector<vtkIdType> ids;
@@ -287,6 +316,27 @@ private:
     else
     {
       addTriangles(ids, mode, isMirrored, block.triangles);
+    }
+  }
+
+  /// Adds the colors of the last vertices of a block, as they are in the file: of no gamma.
+  void addColors(const tinygltf::Primitive& primitive, std::size_t vertices, MeshBlock& block) const
+  {
+    const auto attribute = primitive.attributes.find("COLOR_0");
+    if (attribute == primitive.attributes.end())
+    {
+      return;
+    }
+    const std::size_t components = document_.componentsOf(attribute->second) == 3 ? 3 : 4;
+    const std::vector<double> numbers = document_.numbers(attribute->second, components);
+    block.colors.resize(block.points.size(), white);
+    MeshColor* const colors = block.colors.data() + block.colors.size() - vertices;
+    for (std::size_t i = 0; i < std::min(components * vertices, numbers.size()); ++i)
+    {
+      constexpr double most = 255;
+      const double number = std::round(most * numbers[i]);
+      colors[i / components][i % components] =
+        static_cast<unsigned char>(number > 0 ? std::min(number, most) : 0); // not NaN
     }
   }
 
@@ -381,9 +431,11 @@ int GltfReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformat
   const Scene scene(fileName_);
   std::vector<MeshBlock> blocks = scene.blocks();
   mergeLoose(blocks);
+  const bool isAnyClear = std::any_of(
+    blocks.begin(), blocks.end(), [](const MeshBlock& block) { return areAnyClear(block.colors); });
   for (const MeshBlock& block : blocks)
   {
-    appendBlock(block, output);
+    appendBlock(block, isAnyClear, output);
   }
   return 1;
 }

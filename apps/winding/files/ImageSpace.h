@@ -43,12 +43,23 @@ enum class LengthUnit
 /// Returns a length of 1 in millimetres; 1 for an unknown unit.
 double inMillimetres(LengthUnit unit);
 
+/// The two transforms in the header of a NIfTI image: what they are relative to, by the format's
+/// codes, 0 for none, and the numbers of the qform where the image has both.
+struct NiftiForms
+{
+  int qform = 1, sform = 1;
+  std::array<double, 3> quaternion = {}, offset = {};
+  std::array<double, 4> steps = {}; ///< the sign of the third axis first
+};
+
 /// The place of an image: extent, origin, spacing and directions, in the coordinates of its file.
 struct PlacedImage
 {
   vtkSmartPointer<vtkImageData> image;
   ImageSpace space = ImageSpace::unnamed;
   LengthUnit unit = LengthUnit::unknown;
+  std::string spaceUnits;          ///< of the axes of a .nrrd image, as it has them
+  std::optional<NiftiForms> forms; ///< of a NIfTI image
 };
 
 /// Whether a suffix is a medical image's: .mha .nrrd .nii .nii.gz, or .mhd or .nhdr, which are

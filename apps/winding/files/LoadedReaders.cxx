@@ -4,8 +4,11 @@
 
 #include "files/ThreeMfReader.h"
 
-#ifdef WINDING_HDF
+#if defined(WINDING_HDF_FIRST_STEP)
+#include "files/HdfReader.h"
+#elif defined(WINDING_HDF)
 #include "vtkHDFReader.h"
+using HdfReader = vtkHDFReader;
 #endif
 
 #include <string>
@@ -28,7 +31,7 @@ extern "C" __attribute__((visibility("default"))) vtkAlgorithm* windingMakeReade
 #ifdef WINDING_HDF
   if (suffix == std::string(".vtkhdf"))
   {
-    return readerOf<vtkHDFReader>(fileName);
+    return readerOf<HdfReader>(fileName);
   }
 #endif
   return suffix == std::string(".3mf") ? readerOf<ThreeMfReader>(fileName) : nullptr;

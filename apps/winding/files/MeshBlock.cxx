@@ -11,8 +11,17 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
-void appendBlock(const MeshBlock& block, vtkMultiBlockDataSet* output)
+#include <algorithm>
+
+bool areAnyClear(const std::vector<MeshColor>& colors)
+{
+  return std::any_of(
+    colors.begin(), colors.end(), [](const MeshColor& color) { return color[3] != white[3]; });
+}
+
+void appendBlock(const MeshBlock& block, bool withOpacity, vtkMultiBlockDataSet* output)
 {
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPoints> points;
@@ -50,6 +59,19 @@ void appendBlock(const MeshBlock& block, vtkMultiBlockDataSet* output)
       normals->InsertNextTuple(normal.data());
     }
     data->GetPointData()->SetNormals(normals);
+  }
+  if (!block.colors.empty())
+  {
+    vtkNew<vtkUnsignedCharArray> colors; // as vtkWindingNumberReader names them
+    colors->SetName(withOpacity ? "RGBA" : "RGB");
+    colors->SetNumberOfComponents(withOpacity ? 4 : 3);
+    colors->SetNumberOfTuples(points->GetNumberOfPoints());
+    for (std::size_t i = 0; i < block.points.size(); ++i)
+    {
+      const MeshColor color = i < block.colors.size() ? block.colors[i] : white;
+      colors->SetTypedTuple(static_cast<vtkIdType>(i), color.data());
+    }
+    data->GetPointData()->SetScalars(colors);
   }
   const unsigned int number = output->GetNumberOfBlocks();
   output->SetBlock(number, data);

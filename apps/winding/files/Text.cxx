@@ -16,6 +16,22 @@
 namespace
 {
 
+/// Whether a text is in UTF-16, as InputFile of the module knows it: many of its pairs of bytes
+/// have one that is 0, the same one of each pair. Without a byte order mark all have.
+bool isUtf16(std::string_view head)
+{
+  std::size_t zeros[2] = {0, 0};
+  for (std::size_t i = 0; i < head.size(); ++i)
+  {
+    zeros[i % 2] += head[i] == '\0' ? 1 : 0;
+  }
+  const std::size_t pairs = head.size() / 2, found = std::max(zeros[0], zeros[1]);
+  const std::string_view mark = head.substr(0, 2);
+  return mark == "\xFE\xFF" || mark == "\xFF\xFE"
+           ? 4 * found > pairs && found > 2 * std::min(zeros[0], zeros[1])
+           : pairs > 1 && found == pairs && std::min(zeros[0], zeros[1]) == 0;
+}
+
 std::string read(const std::string& fileName, std::size_t most)
 {
   std::error_code error;
@@ -45,6 +61,11 @@ std::string read(const std::string& fileName, std::size_t most)
   {
     throw Failure(EXIT_REFUSED, fileName,
       text.empty() ? "is empty; give another file" : "cannot be read to its end");
+  }
+  constexpr std::size_t looked = 256;
+  if (isUtf16(std::string_view(text).substr(0, looked)))
+  {
+    throw Failure(EXIT_REFUSED, fileName, "is text in UTF-16; save it as UTF-8");
   }
   return text;
 }

@@ -13,8 +13,8 @@
 /// The fault of a name that leads to no regular file.
 constexpr const char* specialFile = "is a pipe, a device or a socket; give a regular file";
 
-/// Returns the whole of a file as text. Throws Failure when it is missing, unreadable, empty or no
-/// regular file; it never waits for a pipe.
+/// Returns the whole of a file as text. Throws Failure when it is missing, unreadable, empty, text
+/// in UTF-16 or no regular file; it never waits for a pipe.
 std::string contentsOf(const std::string& fileName);
 
 /// Returns the first bytes of a file, all where it has fewer. Throws Failure as contentsOf() does.

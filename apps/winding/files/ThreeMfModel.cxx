@@ -10,6 +10,8 @@
 #include "vtkXMLParser.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <exception>
 #include <iterator>
 #include <string_view>
@@ -190,6 +192,51 @@ public:
   std::string first;
 };
 
+using CornerColors = std::array<MeshColor, 3>; ///< of a triangle
+
+/// Gives points the colors that the corners of triangles have, and adds a copy of a point for each
+/// further color there. The last triangles are white where `corners` are fewer.
+void giveColors(const std::vector<CornerColors>& corners, MeshBlock& mesh)
+{
+  if (corners.empty())
+  {
+    return;
+  }
+  const std::size_t count = mesh.points.size();
+  std::map<std::pair<vtkIdType, MeshColor>, vtkIdType> copies;
+  std::vector<char> isColored(count, 0);
+  mesh.colors.assign(count, white);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      vtkIdType& id = mesh.triangles[i][corner];
+      const MeshColor color = i < corners.size() ? corners[i][corner] : white;
+      const auto point = static_cast<std::size_t>(id);
+      if (id < 0 || point >= count)
+      {
+        continue; // is found later, with all others of its kind
+      }
+      if (!isColored[point])
+      {
+        isColored[point] = 1;
+        mesh.colors[point] = color;
+      }
+      else if (mesh.colors[point] != color)
+      {
+        const auto next = static_cast<vtkIdType>(mesh.points.size());
+        const auto [place, isNew] = copies.emplace(std::pair(id, color), next);
+        if (isNew)
+        {
+          mesh.points.push_back(Eigen::Vector3d(mesh.points[point]));
+          mesh.colors.push_back(color);
+        }
+        id = place->second;
+      }
+    }
+  }
+}
+
 /// Reads a model part.
 class ModelElements : public ElementTaker
 {
@@ -201,6 +248,7 @@ public:
     {
       this->beginModel(element);
     }
+    this->takeColor(element);
     if (!startsWith(name, prefix_))
     {
       return; // of an extension
@@ -215,6 +263,7 @@ public:
     {
       object_->mesh.triangles.push_back(
         {element.index("v1"), element.index("v2"), element.index("v3")});
+      this->colorTriangle(element);
     }
     else if (name == "object")
     {
@@ -227,6 +276,8 @@ public:
     else if (name == "item")
     {
       model.items.push_back(this->placeOf(element));
+      const std::string_view isPrinted = element.value("printable"); // of slicers
+      model.items.back().isPrinted = isPrinted != "0" && isPrinted != "false";
     }
     else if (name == "metadata")
     {
@@ -236,8 +287,9 @@ public:
 
   void end(std::string_view name, const std::string& text) override
   {
-    if (name == prefix_ + "object")
+    if (name == prefix_ + "object" && object_)
     {
+      giveColors(cornerColors_, object_->mesh);
       object_ = nullptr;
     }
     else if (name == prefix_ + "metadata")
@@ -306,6 +358,66 @@ private:
     object_->mesh.name = name.empty() ? element.text("partnumber") : name;
     const bool isNext = type == "support" || type == "solidsupport" || type == "other";
     object_->purpose = isNext ? ThreeMfPurpose::support : ThreeMfPurpose::solid;
+    group_ = element.text("pid");
+    color_ = element.index("pindex");
+    cornerColors_.clear();
+  }
+
+  /// Takes a group of colors or materials, or the color of one in it.
+  void takeColor(const Element& element)
+  {
+    const std::string_view name = element.name.substr(element.name.find(':') + 1);
+    if (name == "colorgroup" || name == "basematerials")
+    {
+      colors_ = &model.colors[element.text("id")];
+    }
+    else if (colors_ && (name == "color" || name == "base"))
+    {
+      colors_->push_back(colorOf(element, name == "color" ? "color" : "displaycolor"));
+    }
+  }
+
+  /// Reads a color like #FF8000, with an opacity behind it or not.
+  static MeshColor colorOf(const Element& element, std::string_view attribute)
+  {
+    const std::string_view text = element.value(attribute);
+    MeshColor color = white;
+    bool isColor = (text.size() == 7 || text.size() == 9) && text[0] == '#';
+    for (std::size_t i = 0; isColor && 2 * i + 1 < text.size(); ++i)
+    {
+      const char* const end = text.data() + 2 * i + 3;
+      const auto read = std::from_chars(end - 2, end, color[i], 16);
+      isColor = read.ec == std::errc() && read.ptr == end;
+    }
+    if (!isColor)
+    {
+      element.refuse("'" + std::string(text.substr(0, 30)) + "' for " + std::string(attribute));
+    }
+    return color;
+  }
+
+  /// Gives the last triangle its colors, or its object's. Textures and mixtures are none.
+  void colorTriangle(const Element& element)
+  {
+    const std::string_view own = element.value("pid");
+    const auto group = model.colors.find(own.empty() ? std::string_view(group_) : own);
+    if (group == model.colors.end())
+    {
+      return;
+    }
+    const long long first = element.index("p1");
+    cornerColors_.resize(object_->mesh.triangles.size(), {white, white, white});
+    std::size_t corner = 0;
+    for (const char* const name : {"p1", "p2", "p3"})
+    {
+      const long long other = element.index(name);
+      const long long number = first < 0 ? color_ : other < 0 ? first : other;
+      if (number < 0 || static_cast<std::size_t>(number) >= group->second.size())
+      {
+        element.refuse("a color that is not there");
+      }
+      cornerColors_.back()[corner++] = group->second[static_cast<std::size_t>(number)];
+    }
   }
 
   /// Takes a note of Cura on the object at hand.
@@ -354,6 +466,10 @@ private:
   bool isBegun_ = false;
   int places_ = 0;
   ThreeMfObject* object_ = nullptr;
+  std::string group_;                        ///< of the colors of the object at hand
+  long long color_ = -1;                     ///< of the object at hand, in its group
+  std::vector<CornerColors> cornerColors_;   ///< of its first triangles
+  std::vector<MeshColor>* colors_ = nullptr; ///< of the group at hand
 };
 
 /// Reads what slicers note. Parts of a kind that is not known are solids, as slicers have it.

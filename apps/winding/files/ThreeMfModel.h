@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ struct ThreeMfPlace
   std::string part; ///< the path of the model part with the object; empty for the same
   std::string id;
   Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();
+  bool isPrinted = true; ///< whether an item is made
 };
 
 /// The purpose of an object, or of a part that a slicer notes on one.
@@ -43,6 +45,7 @@ struct ThreeMfModel
   std::string unit = "millimetres";             ///< in words
   std::map<std::string, ThreeMfObject> objects; ///< by id
   std::vector<ThreeMfPlace> items;
+  std::map<std::string, std::vector<MeshColor>, std::less<>> colors; ///< of each group, by id
 };
 
 /// A slicer's notes on a part of an object: on a component, or on a range of triangles.

@@ -68,6 +68,10 @@ MeshBlock partOf(const MeshBlock& mesh, const std::vector<std::size_t>& chosen)
       if (isNew)
       {
         part.points.push_back(mesh.points[static_cast<std::size_t>(corner)]);
+        if (!mesh.colors.empty())
+        {
+          part.colors.push_back(mesh.colors[static_cast<std::size_t>(corner)]);
+        }
       }
       corner = place->second;
     }
@@ -184,8 +188,21 @@ public:
   void addTo(vtkMultiBlockDataSet* output)
   {
     output_ = output;
+    for (const auto& [part, whole] : models_)
+    {
+      for (const auto& [id, colors] : whole.colors)
+      {
+        isAnyClear_ = isAnyClear_ || areAnyClear(colors);
+      }
+    }
     for (const ThreeMfPlace& item : this->items())
     {
+      if (!item.isPrinted)
+      {
+        used_.insert({item.part.empty() ? first_ : item.part, item.id});
+        ++unprinted_;
+        continue;
+      }
       this->add(item, first_, Eigen::Matrix4d::Identity(), "");
     }
   }
@@ -198,19 +215,7 @@ public:
     {
       notes_.push_back("its numbers are " + model.unit + ", not millimetres");
     }
-    int unused = 0;
-    for (const auto& [part, whole] : models_)
-    {
-      for (const auto& [id, object] : whole.objects)
-      {
-        unused += object.mesh.triangles.empty() || used_.count({part, id}) > 0 ? 0 : 1;
-      }
-    }
-    const std::string leftOut = counted({{supports_, "support", "supports"},
-      {modifiers_, "modifier or negative of a slicer", "modifiers or negatives of a slicer"},
-      {empty_, "object without triangles", "objects without triangles"},
-      {unused, "object outside of its build", "objects outside of its build"}});
-    if (!leftOut.empty())
+    if (const std::string leftOut = this->leftOut(); !leftOut.empty())
     {
       notes_.push_back("left out: " + leftOut);
     }
@@ -220,6 +225,24 @@ public:
                        std::to_string(contradictions_) + " of its meshes, and are not looked at");
     }
     return notes_;
+  }
+
+  /// Names what was not added, with numbers; empty for nothing.
+  std::string leftOut() const
+  {
+    int unused = 0;
+    for (const auto& [part, whole] : models_)
+    {
+      for (const auto& [id, object] : whole.objects)
+      {
+        unused += object.mesh.triangles.empty() || used_.count({part, id}) > 0 ? 0 : 1;
+      }
+    }
+    return counted({{supports_, "support", "supports"},
+      {modifiers_, "modifier or negative of a slicer", "modifiers or negatives of a slicer"},
+      {unprinted_, "item that is not to be printed", "items that are not to be printed"},
+      {empty_, "object without triangles", "objects without triangles"},
+      {unused, "object outside of its build", "objects outside of its build"}});
   }
 
 private:
@@ -403,7 +426,7 @@ private:
         std::swap(triangle[1], triangle[2]);
       }
     }
-    appendBlock(block, output_);
+    appendBlock(block, isAnyClear_, output_);
   }
 
   using ObjectKey = std::pair<std::string, std::string>; ///< a model part, and an id in it
@@ -417,7 +440,8 @@ private:
   std::set<ObjectKey> used_;
   vtkMultiBlockDataSet* output_ = nullptr;
   std::vector<std::string> notes_;
-  int supports_ = 0, modifiers_ = 0, empty_ = 0, contradictions_ = 0;
+  int supports_ = 0, modifiers_ = 0, unprinted_ = 0, empty_ = 0, contradictions_ = 0;
+  bool isAnyClear_ = false; ///< whether colors have an opacity
 };
 
 } // namespace
@@ -436,7 +460,14 @@ int ThreeMfReader::RequestData(
   const Size size = build.size();
   bytes += size.triangles + fileBytesOfObject * size.objects; // a triangle is as much as a byte
   this->InvokeEvent(moreBytesEvent, &bytes);
-  build.addTo(vtkMultiBlockDataSet::GetData(outputs, 0));
+  auto* const output = vtkMultiBlockDataSet::GetData(outputs, 0);
+  build.addTo(output);
+  if (const std::string leftOut = build.leftOut();
+      output->GetNumberOfBlocks() == 0 && !leftOut.empty())
+  {
+    throw Failure(
+      EXIT_REFUSED, fileName_, "has nothing to be made, only " + leftOut + "; give another file");
+  }
   for (std::string& note : build.notes())
   {
     this->InvokeEvent(vtkCommand::MessageEvent, note.data());

@@ -125,7 +125,7 @@ PlacedImage placedImage(
                        : suffix == ".nrrd" || suffix == ".nhdr" ? nrrdImage(head)
                                                                 : niftiImage(head);
     addThirdAxis(place);
-    return {imageAt(place), place.space, place.unit};
+    return {imageAt(place), place.space, place.unit, place.spaceUnits, place.forms};
   }
   catch (const HeaderFault& fault)
   {

@@ -5,7 +5,9 @@
 #include "files/ImageSpace.h"
 
 #include <array>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 /// Thrown for a header that places no image, with the reason.
 class HeaderFault : public std::runtime_error
@@ -22,4 +24,6 @@ struct ImagePlace
   std::array<std::array<double, 3>, 3> steps = {}; ///< from a voxel to the next, along each index
   ImageSpace space = ImageSpace::unnamed;
   LengthUnit unit = LengthUnit::unknown;
+  std::string spaceUnits;          ///< as in PlacedImage
+  std::optional<NiftiForms> forms; ///< as in PlacedImage
 };

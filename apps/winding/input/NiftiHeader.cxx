@@ -67,10 +67,15 @@ public:
     const int ofLength = code & 7; // next to the unit of time
     return ofLength <= 3 ? static_cast<LengthUnit>(ofLength) : LengthUnit::unknown;
   }
+  double raw(std::size_t field, std::size_t n) const
+  {
+    return layout_->isWide ? this->number<double>(field + 8 * n)
+                           : static_cast<double>(this->number<float>(field + 4 * n));
+  }
+  /// The same, refused where it is not finite.
   double real(std::size_t field, std::size_t n) const
   {
-    const double value = layout_->isWide ? this->number<double>(field + 8 * n)
-                                         : static_cast<double>(this->number<float>(field + 4 * n));
+    const double value = this->raw(field, n);
     if (!std::isfinite(value))
     {
       throw HeaderFault("its header has numbers that are not finite");
@@ -96,6 +101,25 @@ private:
   const Layout* layout_ = nullptr;
   bool isSwapped_ = false;
 };
+
+/// Returns the codes of both transforms, and the numbers of the qform.
+NiftiForms formsOf(const Header& header)
+{
+  const Layout& layout = header.layout();
+  NiftiForms forms;
+  forms.qform = header.code(layout.qform);
+  forms.sform = header.code(layout.sform);
+  for (std::size_t n = 0; n < 4; ++n)
+  {
+    forms.steps[n] = header.raw(layout.steps, n);
+    if (n < 3)
+    {
+      forms.quaternion[n] = header.raw(layout.quaternion, n);
+      forms.offset[n] = header.raw(layout.offset, n);
+    }
+  }
+  return forms;
+}
 
 /// Turns the axes as the quaternion (a, b, c, d) says; the header has its last three numbers.
 void turn(const Header& header, ImagePlace& place)
@@ -140,6 +164,7 @@ ImagePlace niftiImage(const std::string& head)
   ImagePlace place;
   place.space = ImageSpace::ras;
   place.unit = header.unit();
+  place.forms = formsOf(header);
   const double axes = header.whole(layout.dimensions, 0);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {

@@ -152,6 +152,26 @@ std::vector<bool> axesOfSpace(const HeaderFields& fields, std::size_t axes)
   return areOfSpace;
 }
 
+/// Returns the units of three axes of space, in quotation marks as in the header; nothing where
+/// they are not said.
+std::string unitsOfSpace(const HeaderFields& fields)
+{
+  const std::string* const text = findAny(fields, {"spaceunits"});
+  std::string units;
+  std::size_t end = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::size_t start = text ? text->find('"', end) : std::string::npos;
+    end = start == std::string::npos ? start : text->find('"', start + 1);
+    if (end == std::string::npos)
+    {
+      return "";
+    }
+    units += (axis > 0 ? " " : "") + text->substr(start, ++end - start);
+  }
+  return units;
+}
+
 /// Adds an axis of space with its number of voxels.
 void addAxis(const std::array<double, 3>& step, double size, std::size_t& axis, ImagePlace& place)
 {
@@ -319,6 +339,7 @@ ImagePlace nrrdImage(const std::string& head)
     }
     place.space = *space;
   }
+  place.spaceUnits = unitsOfSpace(fields);
   addAxes(fields, numbersOf(*sizes, "sizes", axesOf(fields, "dimension")), place);
   return place;
 }

@@ -39,6 +39,20 @@ bool isOneOf(const std::string& suffix, const std::string& suffixes)
   return (' ' + suffixes + ' ').find(' ' + suffix + ' ') != std::string::npos;
 }
 
+/// Reads the place of a medical image. Warns where NIfTI says none.
+PlacedImage readMedical(const std::string& fileName, Messages& messages)
+{
+  PlacedImage placed = readImageHeader(fileName);
+  if (placed.forms && placed.forms->qform <= 0 && placed.forms->sform <= 0)
+  {
+    messages.warn(fileName +
+                  ": its header does not say where it lies, for qform_code and sform_code are 0: " +
+                  "set one of them; programs lay it in different places, this one its first " +
+                  "voxel at 0 0 0");
+  }
+  return placed;
+}
+
 vtkSmartPointer<vtkDataObject> readByVtk(
   const std::string& fileName, const VtkFormat& format, Messages& messages)
 {
@@ -112,7 +126,7 @@ vtkSmartPointer<vtkDataSet> readQueries(
   messages.setSubject(fileName);
   if (isMedical(suffix))
   {
-    return readImageHeader(fileName).image;
+    return readMedical(fileName, messages).image;
   }
   if (const VtkFormat* const format = vtkFormatOf(suffix); format && !format->isSource)
   {
@@ -127,7 +141,7 @@ PlacedImage readPlace(const std::string& fileName, Messages& messages)
   const std::string suffix = suffixOf(fileName);
   if (isMedical(suffix))
   {
-    return readImageHeader(fileName);
+    return readMedical(fileName, messages);
   }
   if (suffix != ".vti")
   {

@@ -23,6 +23,7 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointSet.h"
 #include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
@@ -126,8 +127,6 @@ public:
     {
       this->DisplayErrorText(text);
     }
-    sink_->put(ReaderMessage::warning);
-    sink_->put(std::string(text));
   }
   void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
   void DisplayDebugText(const char*) override {}
@@ -160,7 +159,7 @@ struct NoteSender
 
   void send(vtkObject*, unsigned long, void* note)
   {
-    sink.put(ReaderMessage::warning);
+    sink.put(ReaderMessage::note);
     sink.put(std::string(static_cast<const char*>(note)));
   }
 };
@@ -304,6 +303,14 @@ vtkSmartPointer<vtkDataObject> read(
   reader->AddObserver(vtkCommand::MessageEvent, &notes, &NoteSender::send);
   LimitRaiser limits{size};
   reader->AddObserver(moreBytesEvent, &limits, &LimitRaiser::raise);
+  reader->UpdateInformation();
+  if (const int steps =
+        reader->GetOutputInformation(0)->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+      steps > 1)
+  {
+    std::string note = "has " + std::to_string(steps) + " time steps; the first one is read";
+    notes.send(nullptr, 0, note.data());
+  }
   reader->Update();
   if (reader->GetErrorCode() != vtkErrorCode::NoError)
   {

@@ -12,7 +12,7 @@ struct VtkFormat;
 enum class ReaderMessage : char
 {
   progress, ///< a double
-  warning,  ///< VTK's text
+  note,     ///< a text for the user
   error,    ///< VTK's text
   failure,  ///< an int, the status, and the text of a Failure
   data      ///< the data (DataStream.h)

@@ -241,6 +241,21 @@ void requireKnownHdf(const std::string& fileName)
   }
 }
 
+/// Returns what is wrong with a file, by what VTK's reader says of it.
+std::string faultOf(const std::string& words)
+{
+  const std::string mark = "Error parsing XML in stream at line ";
+  const std::size_t at = words.find(mark);
+  if (at == std::string::npos)
+  {
+    return "cannot be read by VTK; it is damaged, or of a kind that this VTK does not know: save "
+           "it again, or in another format";
+  }
+  const std::size_t line = at + mark.size();
+  return "is no whole XML at line " + words.substr(line, words.find(',', line) - line) +
+         "; it is damaged or cut off, save it again";
+}
+
 bool hasPolyhedra(vtkDataObject* data)
 {
   bool isAny = false;
@@ -263,7 +278,7 @@ vtkSmartPointer<vtkDataObject> receive(
 {
   vtkNew<vtkAlgorithm> follower; // has the progress of the reader
   const Progress progress(follower, Phase::reading, messages.isQuiet());
-  std::vector<std::string> warnings; // shown only if the data comes, for a failure is one line
+  std::vector<std::string> notes; // shown only if the data comes, for a failure is one line
   for (;;)
   {
     switch (process.take<ReaderMessage>())
@@ -271,15 +286,13 @@ vtkSmartPointer<vtkDataObject> receive(
     case ReaderMessage::progress:
       follower->UpdateProgress(process.take<double>());
       break;
-    case ReaderMessage::warning:
-      warnings.push_back(process.takeText());
+    case ReaderMessage::note:
+      notes.push_back(process.takeText());
       break;
     case ReaderMessage::error:
       requireKnown(newer.empty(), fileName, newer);
       requireKnownHdf(fileName);
-      messages.DisplayErrorText(process.takeText().c_str());
-      messages.throwIfError(fileName);
-      break;
+      throw Failure(EXIT_REFUSED, fileName, faultOf(process.takeText()));
     case ReaderMessage::failure:
     {
       requireKnown(newer.empty(), fileName, newer);
@@ -289,9 +302,9 @@ vtkSmartPointer<vtkDataObject> receive(
     case ReaderMessage::data:
       auto data = receiveData(process);
       requireKnown(newer.empty() || knowsPolyhedra || !hasPolyhedra(data), fileName, newer);
-      for (const std::string& warning : warnings)
+      for (const std::string& note : notes)
       {
-        messages.DisplayWarningText(warning.c_str());
+        messages.DisplayWarningText(note.c_str());
       }
       return data;
     }

@@ -291,7 +291,9 @@ void writeNrrd(const PlacedImage& placed, vtkDataArray* values, Stream& stream)
   }
   head += std::string("\nkinds: domain domain domain\nendian: ") +
           (isBigEndian ? "big" : "little") + "\nencoding: gzip\nspace origin: (" +
-          exact(place.origin, ',') + ")\n" + namesOfLabels(placed.image, ":=") + '\n';
+          exact(place.origin, ',') + ")\n" +
+          (placed.spaceUnits.empty() ? "" : "space units: " + placed.spaceUnits + '\n') +
+          namesOfLabels(placed.image, ":=") + '\n';
   stream.write(head);
   writePacked(values, true, "", stream);
 }
@@ -406,13 +408,19 @@ std::string niftiHeader(const PlacedImage& placed, vtkDataArray* values, const O
   put(header, 108, static_cast<double>(size));
   put(header, 112, 1.0); // slope
   header[123] = static_cast<char>(placed.unit);
-  constexpr std::int16_t scanner = 1;
-  put(header, 252, scanner);
-  put(header, 254, scanner);
+  const NiftiForms forms = placed.forms.value_or(NiftiForms());
+  put(header, 252, static_cast<std::int16_t>(forms.qform));
+  put(header, 254, static_cast<std::int16_t>(forms.sform));
   putTurn(header, nearestTurn(place));
+  const bool hasOwnTurn = placed.forms && forms.qform > 0 && forms.sform > 0;
+  for (std::size_t n = 0; n < 4 && hasOwnTurn; ++n)
+  {
+    put(header, 76 + 4 * n, forms.steps[n]);
+    put(header, 256 + 4 * n, n < 3 ? forms.quaternion[n] : forms.offset[0]);
+  }
   for (std::size_t row = 0; row < 3; ++row)
   {
-    put(header, 268 + 4 * row, place.origin[row]);
+    put(header, 268 + 4 * row, hasOwnTurn ? forms.offset[row] : place.origin[row]);
     put(header, 292 + 16 * row, place.origin[row]);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
@@ -447,6 +455,10 @@ void checkMedicalImage(const PlacedImage& placed, const std::string& fileName, M
   {
     messages.warn(fileName + ": " + words);
     return;
+  }
+  if (placed.forms && (placed.forms->qform <= 0 || placed.forms->sform > 0))
+  {
+    return; // there is no qform, or the image's own
   }
   const Turn turn = nearestTurn(place);
   double directions[3][3];

@@ -18,7 +18,8 @@ class OutputFile;
  * So voxels stay where they are in the patient. A .nrrd names the space. Where the space is
  * unnamed, coordinates go out as they are, and count as LPS in .mha and .nrrd, and as RAS in NIfTI.
  * NIfTI keeps them in single precision (checkMedicalImage()), and `placed.unit` with them. In .mha
- * and .nrrd metres and micrometres become mm, the unit of ITK.
+ * and .nrrd metres and micrometres become mm, the unit of ITK. The units of a .nrrd image stay in
+ * .nrrd, and the codes and the qform of a NIfTI image in NIfTI.
  *
  * Names of labels (the field data LabelNames and LabelValues) go into .nrrd and .mha by the keys
  * that Slicer has for segments. NIfTI has no place for them.

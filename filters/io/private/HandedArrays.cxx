@@ -134,6 +134,12 @@ void handOver(MeshArrays& mesh, vtkPolyData* output)
     areas->SetName("Area");
     output->GetPointData()->AddArray(areas);
   }
+  if (!mesh.viewpoints.empty())
+  {
+    const auto viewpoints = handedArray<vtkDoubleArray>(mesh.viewpoints, 3);
+    viewpoints->SetName("Viewpoints");
+    output->GetPointData()->AddArray(viewpoints);
+  }
   for (OtherNumbers& other : mesh.others)
   {
     output->GetPointData()->AddArray(handedOver(other));
