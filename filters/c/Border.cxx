@@ -252,13 +252,16 @@ FieldOptions optionsOf(const winding_options* options)
   result.estimateNormals = wished.estimate_normals != 0;
   result.normalEstimation = static_cast<NormalEstimation>(wished.normal_estimation);
   result.toward = wished.toward ? wished.toward : "";
+  result.lookAtViewpoints = wished.look_at_viewpoints != 0;
   result.mirror = wished.mirror ? wished.mirror : "";
   result.weldTolerance = toleranceOf(options);
   result.flatBase = wished.flat_base ? wished.flat_base : "";
   result.sheetSide = wished.sheet_side ? wished.sheet_side : "";
+  result.mendsSource = wished.mend_source != 0;
   result.orientFaces = wished.orient_faces != 0;
   result.ignoreOpenParts = wished.ignore_open_parts != 0;
   result.scattered = wished.scattered != 0;
+  result.isOneOfSeveral = wished.is_one_of_several != 0;
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   const Eigen::Matrix3d inverseAxes = wished.frame
                                         ? Eigen::Matrix3d(Eigen::Map<const RowMajor>(wished.frame))

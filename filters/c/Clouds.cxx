@@ -56,7 +56,7 @@ winding_status winding_estimate_normals(winding_array points, const winding_opti
   return guarded(run, refusal,
     [&]
     {
-      const OrientedPointsView view = {vectorsOf(points, "points"), {}, {}};
+      OrientedPointsView view = {vectorsOf(points, "points"), {}, {}};
       const winding::FieldOptions wished = optionsOf(options);
       if (view.positions.empty())
       {
@@ -67,6 +67,12 @@ winding_status winding_estimate_normals(winding_array points, const winding_opti
         return;
       }
       float* const result = &required(normals, "normals");
+      std::vector<float> directions;
+      if (wished.lookAtViewpoints)
+      {
+        directions.assign(result, result + 3 * view.positions.size());
+        view.normals = {directions.data(), view.positions.size()};
+      }
       Call call(run);
       PointCloud cloud = winding::sanitize(std::vector<OrientedPointsView>{view}, call.executor);
       const winding::OutwardNormals found =

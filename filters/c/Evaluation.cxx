@@ -7,7 +7,9 @@
 #include "messages/PropertyChecks.h"
 #include "report/ExpectedTimeAdvice.h"
 #include "report/Verify.h"
+#include "tasks/MendedSource.h"
 #include "tasks/ResultNotes.h"
+#include "tasks/WallGrid.h"
 #include "voxels/VoxelEvaluation.h"
 
 #include <cmath>
@@ -99,6 +101,31 @@ FieldOutput outputOf(const winding_values& values, const winding::InsideTest& is
   return output;
 }
 
+/// Returns a wish for a grid, checked.
+winding::GridRequest gridRequestOf(const winding_grid_request* request)
+{
+  winding_grid_request wished = {};
+  wished = known(&required(request, "request"), wished);
+  winding::checkProperty(winding::Parameter::resolution, wished.resolution);
+  winding::checkProperty(winding::Parameter::voxelSize, wished.voxel_size);
+  winding::checkProperty(winding::Parameter::padding, wished.padding);
+  winding::GridRequest asked;
+  asked.resolution = wished.resolution;
+  asked.voxelSize = wished.voxel_size;
+  asked.padding = wished.padding;
+  const int32_t* dimensions = wished.sampling_dimensions;
+  if (dimensions[0] != 0 || dimensions[1] != 0 || dimensions[2] != 0)
+  {
+    winding::checkDimensions(dimensions);
+    asked.dimensions = Eigen::Vector3i(dimensions[0], dimensions[1], dimensions[2]);
+  }
+  asked.isCubic = wished.cubic != 0;
+  const double* bounds = wished.sampling_bounds;
+  asked.bounds = winding::Bounds(Eigen::Vector3d(bounds[0], bounds[2], bounds[4]),
+    Eigen::Vector3d(bounds[1], bounds[3], bounds[5]));
+  return asked;
+}
+
 } // namespace
 
 void winding_rule_init(winding_rule* rule, size_t size)
@@ -126,32 +153,33 @@ winding_status winding_lay_out_grid(const winding_grid_request* request, const w
   return guarded(run, refusal,
     [&]
     {
-      winding_grid_request wished = {};
-      wished = known(&required(request, "request"), wished);
-      winding::checkProperty(winding::Parameter::resolution, wished.resolution);
-      winding::checkProperty(winding::Parameter::voxelSize, wished.voxel_size);
-      winding::checkProperty(winding::Parameter::padding, wished.padding);
-      winding::GridRequest asked;
-      asked.resolution = wished.resolution;
-      asked.voxelSize = wished.voxel_size;
-      asked.padding = wished.padding;
-      const int32_t* dimensions = wished.sampling_dimensions;
-      if (dimensions[0] != 0 || dimensions[1] != 0 || dimensions[2] != 0)
-      {
-        winding::checkDimensions(dimensions);
-        asked.dimensions = Eigen::Vector3i(dimensions[0], dimensions[1], dimensions[2]);
-      }
-      asked.isCubic = wished.cubic != 0;
-      const double* bounds = wished.sampling_bounds;
-      asked.bounds = winding::Bounds(Eigen::Vector3d(bounds[0], bounds[2], bounds[4]),
-        Eigen::Vector3d(bounds[1], bounds[3], bounds[5]));
-      const Grid made = winding::setUpGrid(asked);
+      const Grid made = winding::setUpGrid(gridRequestOf(request));
       winding_grid& result = required(grid, "grid");
       for (int axis = 0; axis < 3; ++axis)
       {
         result.origin[axis] = made.firstSample[axis];
         result.spacing[axis] = made.spacing[axis];
         result.dimensions[axis] = made.dimensions[axis];
+      }
+    });
+}
+
+winding_status winding_wall_resolution(const winding_field* field,
+  const winding_grid_request* request, const winding_rule* rule, int32_t mend_source,
+  const winding_run* run, int32_t* resolution, char* reason, size_t reason_size,
+  winding_refusal* refusal)
+{
+  return guarded(run, refusal,
+    [&]
+    {
+      const winding_field& handle = required(field, "field");
+      Call call(run);
+      winding::WallGrid grid(gridRequestOf(request));
+      grid.add(*handle.field, insideTestOf(rule), mend_source != 0, call.executor);
+      required(resolution, "resolution") = grid.resolution();
+      if (reason && reason_size > 0)
+      {
+        copyText(grid.reason(), reason, reason_size);
       }
     });
 }
@@ -198,8 +226,17 @@ winding_status winding_evaluate_grid(const winding_field* field, const winding_g
         voxels.coverage != winding::Coverage::center || (isWhole && !wished.winding);
       std::vector<unsigned char> own(needsInside && !wished.inside ? count : 0);
       voxels.output.inside = own.empty() ? wished.inside : own.data();
+      const bool mayThicken = wished.coverage != WINDING_COVERAGE_ANY && !wished.united;
+      winding::MendedSource source(
+        *handle.field, samples, {wished.mend_source != 0, mayThicken, isInside}, call.run);
       evaluateInTime(*handle.field, count, call,
-        [&] { voxels.run(*handle.field, samples, part, call.executor); });
+        [&]
+        {
+          source.decideByLayers();
+          voxels.plate = source.plate();
+          voxels.run(source.field(), samples, part, call.executor);
+        });
+      const winding::Field& used = source.field();
       const unsigned char* const inside = voxels.output.inside;
       winding::ResultOnGrid result;
       result.sides = sides.counts(count);
@@ -208,7 +245,7 @@ winding_status winding_evaluate_grid(const winding_field* field, const winding_g
       {
         insideCount = static_cast<std::size_t>(std::count(inside, inside + count, 1));
       }
-      if (isWhole)
+      if (isWhole && voxels.plate == 0)
       {
         result.isEmpty = (wished.united ? result.sides.inside : insideCount) == 0;
         result.withoutAdvice = wished.without_advice != 0;
@@ -222,9 +259,8 @@ winding_status winding_evaluate_grid(const winding_field* field, const winding_g
                                                         : voxels.output.doubleValues[n]);
         };
         call.executor.setShare(1, 1);
-        winding::warnOfOpenSide(
-          *handle.field, {isInside.threshold, result.takesTouchedVoxels}, call.run);
-        winding::warnOfResult(*handle.field, samples, result, isInside, call.run);
+        winding::warnOfOpenSide(used, {isInside.threshold, result.takesTouchedVoxels}, call.run);
+        winding::warnOfResult(used, samples, result, isInside, call.run);
       }
       winding_values written = wished;
       written.inside_count = static_cast<int64_t>(insideCount);

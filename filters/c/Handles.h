@@ -9,6 +9,7 @@
 #include "winding.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,13 +31,17 @@ struct winding_mesh
   winding::UninitializedVector<std::uint16_t> labels;
   winding::UninitializedVector<std::int64_t> numbers; ///< of polygons
   winding::UninitializedVector<std::int32_t> operands;
-  winding::UninitializedVector<double> slitWidths;    ///< of polygons
+  winding::UninitializedVector<double> slitWidths; ///< of polygons
   winding::UninitializedVector<std::int64_t> lineOffsets, lineCorners;
   winding::UninitializedVector<std::int64_t> vertexOffsets, vertexCorners;
   winding::UninitializedVector<std::uint8_t> colors;
   int colorComponents = 0;
   winding::UninitializedVector<float> textureCoordinates;
-  std::int64_t filledCavities = 0;
+  std::int64_t filledCavities = 0, parts = 0;
+  std::uint8_t isClosed = 0;
+  double volume = std::numeric_limits<double>::quiet_NaN();
+  double inputVolume = std::numeric_limits<double>::quiet_NaN();
+  std::string solidInWords;
   winding::UninitializedVector<std::uint8_t> inside; ///< of samples
 
   ///@{

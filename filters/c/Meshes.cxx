@@ -5,6 +5,7 @@
 #include "diagnosis/GridAdvice.h"
 #include "messages/PropertyChecks.h"
 #include "report/Fidelity.h"
+#include "report/UnusedOptions.h"
 #include "tasks/SurfaceTask.h"
 #include "voxels/BlockSurface.h"
 
@@ -25,6 +26,7 @@ winding_surface_options defaultSurfaceOptions()
   options.size = sizeof options;
   options.features = WINDING_FEATURES_SMOOTH;
   options.generate_normals = 1;
+  options.mend_source = 1;
   return options;
 }
 
@@ -72,6 +74,14 @@ protected:
       return sized(mesh_.operands);
     case Output::inside:
       return sized(mesh_.inside);
+    case Output::isClosed:
+      return &mesh_.isClosed;
+    case Output::parts:
+      return &mesh_.parts;
+    case Output::volume:
+      return &mesh_.volume;
+    case Output::inputVolume:
+      return &mesh_.inputVolume;
     }
     throw std::logic_error("meshes do not have this array");
   }
@@ -80,22 +90,31 @@ private:
   winding_mesh& mesh_;
 };
 
+/// Returns what a mesh that a task has made encloses, for people.
+std::string wordsOfSolid(const winding_mesh& mesh)
+{
+  return winding::solidInWords(mesh.isClosed != 0, mesh.parts, mesh.volume, mesh.inputVolume);
+}
+
 /// Returns the options of a task on a grid. Throws Refusal and Misuse for values out of range.
 winding::SurfaceOptions optionsOf(
   const winding_surface_options& wished, const winding_rule* rule, const Grid& grid)
 {
   winding::checkProperty(winding::Parameter::features, wished.features);
+  winding::checkProperty(winding::Parameter::gapWidth, wished.gap_width);
   winding::checkProperty(winding::Parameter::offset, wished.offset);
   winding::checkProperty(winding::Parameter::shell, wished.shell);
   winding::checkProperty(winding::Parameter::shellSide, wished.shell_side);
   winding::SurfaceOptions options;
   options.isInside = insideTestOf(rule);
   options.shape.fillsCavities = wished.fill_cavities != 0;
+  options.shape.gapWidth = wished.gap_width;
   options.shape.offset = wished.offset;
   options.shape.shell = wished.shell;
   options.shape.shellSide = static_cast<winding::ShellSide>(wished.shell_side);
   options.features = static_cast<winding::Features>(wished.features);
   options.areTriangles = wished.generate_triangles != 0;
+  options.mendsSource = wished.mend_source != 0;
   options.closesBorder = wished.close_border != 0;
   options.hasNormals = wished.generate_normals != 0;
   options.hasImage = wished.generate_image != 0;
@@ -180,6 +199,7 @@ winding_status winding_level_surface(const winding_field* field, const winding_g
           winding::SurfaceResult result;
           evaluateInTime(source, winding::sampleCount(samples.wholeExtent()), call,
             [&] { result = winding::makeSurface(source, samples, wished, sink, call.run); });
+          made.solidInWords = wordsOfSolid(made);
           made.filledCavities = static_cast<std::int64_t>(result.cavities);
           if (wished.shape.hasDistances())
           {
@@ -224,21 +244,25 @@ winding_status winding_boolean(const winding_field* const* fields, size_t count,
       }
       Call call(run);
       const double parts = static_cast<double>(count) + 1;
+      winding::UnusedOptions unused;
       for (std::size_t i = 0; i < count; ++i)
       {
         const Field& field = *first[i]->field;
+        unused.add(field.info());
         call.nameSource(wished.names ? &required(wished.names[i], "options.names[i]") : "");
         call.executor.setShare(static_cast<double>(i) / parts, static_cast<double>(i + 1) / parts);
         evaluateInTime(field, winding::sampleCount(samples.wholeExtent()), call,
           [&] { task.add(field, areInside[i], call.run); });
       }
       call.nameSource("");
+      call.warn(unused.messages());
       call.executor.setShare(1 - 1 / parts, 1);
       giveHandle(*mesh,
         [&](winding_mesh& made)
         {
           MeshSink sink(made);
           task.run(sink, call.run);
+          made.solidInWords = wordsOfSolid(made);
           made.numbers.assign(made.operands.begin(), made.operands.end());
         });
     });
@@ -329,6 +353,11 @@ winding_status winding_mesh_show(
       to.slit_widths = pointerTo(from.slitWidths);
       to.distances_from = from.distancesFrom;
       to.filled_cavities = from.filledCavities;
+      to.is_closed = from.isClosed;
+      to.part_count = from.parts;
+      to.volume = from.volume;
+      to.input_volume = from.inputVolume;
+      to.solid_in_words = from.solidInWords.empty() ? nullptr : from.solidInWords.c_str();
       to.sample_count = static_cast<int64_t>(from.inside.size());
       to.inside = pointerTo(from.inside);
       to.line_count =

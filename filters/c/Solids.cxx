@@ -21,6 +21,7 @@ winding_label_options defaultLabelOptions()
   winding_label_options options = {};
   options.size = sizeof options;
   options.coverage_samples = 4;
+  options.mend_source = 1;
   return options;
 }
 
@@ -38,6 +39,7 @@ winding::LabelOptions optionsOf(const winding_rule* rule, const winding_label_op
   winding::checkProperty(winding::Parameter::coverageSamples, wished.coverage_samples);
   winding::LabelOptions options;
   options.overlapRule = static_cast<winding::OverlapRule>(wished.overlap_rule);
+  options.mendsSource = wished.mend_source != 0;
   options.voxels.coverage = static_cast<winding::Coverage>(wished.coverage);
   options.voxels.samplesPerAxis = wished.coverage_samples;
   options.voxels.output.isInside = insideTestOf(rule);
@@ -140,6 +142,7 @@ winding_status winding_label(const winding_field* const* fields, const uint16_t*
           });
       }
       task.warn(wished.have_one_unit != 0, call.run);
+      call.warn(facts.unused.messages());
     });
 }
 

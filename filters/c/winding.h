@@ -200,12 +200,14 @@ extern "C"
     const char* mirror;
     /**
      * The flat base of a surface that is open on one side. A direction as for `toward` puts it at
-     * the end of the surface, a plane as "z=-5" puts it there. It is copied. Default: null, none
+     * the end of the surface, "down 0.5" that far below, a plane as "z=-5" there. It is copied.
+     * Default: null, none
      */
     const char* flat_base;
     /**
      * The side of open sheets that is inside, as "down": a direction as for `toward`. Values are
-     * then w + 0.5, for a half sphere at infinity closes them. It is copied. Default: null, none
+     * then w + 0.5, for a half sphere at infinity closes them. Points are one sheet, unless their
+     * normals look to all sides alike. It is copied. Default: null, none
      */
     const char* sheet_side;
     /** The distance up to which points of a surface are made one, see winding_weld(). Default: 0 */
@@ -216,6 +218,22 @@ extern "C"
      * points are given in space
      */
     const double* frame;
+    /**
+     * Whether winding_label() or winding_boolean() will have fields with the same options. These
+     * warn of options that no field has a use for, instead of each field. Default: 0
+     */
+    int32_t is_one_of_several;
+    /**
+     * Whether normals of points only look to where each was seen from, as viewpoint minus point:
+     * others are estimated that look there, unless `toward` says where. Default: 0
+     */
+    int32_t look_at_viewpoints;
+    /**
+     * Whether the field is for solids: faces that contradict each other or are there more than once
+     * are turned as by orient_faces, and points without normals get some. A warning says so.
+     * Options of winding_level_surface() and other functions mend the rest. Default: 0
+     */
+    int32_t mend_source;
   } winding_options;
 
   /**
@@ -343,13 +361,14 @@ extern "C"
   typedef struct winding_grid_request
   {
     uint32_t size;      /**< bytes of the struct that its caller knows */
-    int32_t resolution; /**< cubic voxels along the longest side. Default: 64 */
+    int32_t resolution; /**< cubic voxels along the longest side, 1 or more. Default: 128 */
     double voxel_size;  /**< side of the cubic voxels, 0 for resolution. Default: 0 */
     int32_t
       sampling_dimensions[3];  /**< voxels along each axis, 0 0 0 for cubic ones. Default: 0 0 0 */
     double sampling_bounds[6]; /**< least and largest x, y and z. To be set */
     double padding;            /**< margin, as a share of the longest side, or of each axis's own
-                                    where voxels are not cubic. Default: 0.05 */
+                                    where voxels are not cubic; a voxel at least unless it is 0.
+                                    Default: 0.05 */
     int32_t cubic; /**< whether sampling_dimensions give cubic voxels, too. Default: 0 */
   } winding_grid_request;
 
@@ -424,6 +443,9 @@ extern "C"
      * what several fields cover of a voxel, evaluated one by one from words of 0 on. Inside, and
      * inside_count, are what has at least half. Null, the default, counts this field alone. */
     uint64_t* united;
+    /** Whether faces or normals that look inward are turned first, and open sheets are inside as a
+     * plate of three voxels, which changes inside and fractions. A warning says so. Default: 0 */
+    int32_t mend_source;
   } winding_values;
 
   /**
@@ -433,6 +455,26 @@ extern "C"
    * @param size sizeof of the struct
    */
   WINDING_API void winding_values_init(winding_values* values, size_t size);
+
+  /**
+   * Finds the number of cubic voxels along the longest side of a grid that the walls of a surface
+   * ask for: 128, or up to 286 where they are thinner than one and a half voxels. Of several solids
+   * on one grid, the largest number counts. It takes no longer than what warns of thin walls.
+   *
+   * @param field the field
+   * @param request the wish, whose resolution does not count
+   * @param rule null for the defaults
+   * @param mend_source whether the solid is made of a mended source
+   * @param run null for the defaults
+   * @param resolution receives the number
+   * @param reason receives why it is not 128, "" where it is; null where nobody asks
+   * @param reason_size bytes that reason has
+   * @param refusal receives why the call was refused, unless it is null
+   */
+  WINDING_API winding_status winding_wall_resolution(const winding_field* field,
+    const winding_grid_request* request, const winding_rule* rule, int32_t mend_source,
+    const winding_run* run, int32_t* resolution, char* reason, size_t reason_size,
+    winding_refusal* refusal);
 
   /**
    * Evaluates a field at the samples of a grid.
@@ -564,8 +606,8 @@ extern "C"
    * @param refusal receives why the call was refused, unless it is null
    */
   WINDING_API winding_status winding_check_cells(const winding_cells* cells,
-    const winding_cells* faces, winding_array degrees, int64_t count, int64_t points,
-    int64_t first, const char* name, winding_refusal* refusal);
+    const winding_cells* faces, winding_array degrees, int64_t count, int64_t points, int64_t first,
+    const char* name, winding_refusal* refusal);
 
   /**
    * Says which cells make the surface of a mesh. Where there are cells of two and of three
@@ -579,8 +621,7 @@ extern "C"
    * @param refusal receives why the call was refused, unless it is null
    */
   WINDING_API winding_status winding_choose_cells(winding_array types, const uint8_t* ghosts,
-    int32_t surface_cells, uint8_t* are_own, winding_cell_counts* counts,
-    winding_refusal* refusal);
+    int32_t surface_cells, uint8_t* are_own, winding_cell_counts* counts, winding_refusal* refusal);
 
   /** The outer surface of a mesh, as VTK's vtkDataSetSurfaceFilter extracts it. */
   typedef struct winding_skin
@@ -719,6 +760,13 @@ extern "C"
     int64_t filled_cavities;          /**< of winding_level_surface() */
     int64_t sample_count;             /**< of inside */
     const uint8_t* inside;            /**< one for each sample, of a surface with an image */
+    int32_t is_closed;                /**< whether a surface of a grid is */
+    int64_t part_count;               /**< of that surface: connected sets of samples inside */
+    double volume;                    /**< that it encloses; NaN of an open one, and of others */
+    double input_volume;              /**< of winding_level_surface(): the integral of w; NaN of an
+                                           open source, and of others */
+    const char* solid_in_words;       /**< the four numbers before for people, of a surface of a
+                                           grid; null of others */
   } winding_mesh_arrays;
 
   /**
@@ -782,9 +830,16 @@ extern "C"
     int32_t shell_side;    /**< a winding_shell_side. Default: WINDING_SHELL_SIDE_INWARD */
     double offset; /**< length by which the surface moves outward, negative: inward. Default: 0 */
     double shell;  /**< thickness of the shell that replaces the solid; 0 for none. Default: 0 */
+    /** openings as wide as that do not let the outside into cavities; used with fill_cavities.
+        Default: 0 */
+    double gap_width;
     int32_t generate_image; /**< whether the mesh shows which samples are inside. Default: 0 */
     const char* const*
       names; /**< of the fields of winding_boolean(), for warnings. Default: null */
+    /** Whether faces or normals are turned that look inward or contradict each other, open sheets
+        become plates of three voxels, and the surface is closed at the border of the grid. A
+        warning says what was done. Default: 1 */
+    int32_t mend_source;
   } winding_surface_options;
 
   /**
@@ -893,6 +948,7 @@ extern "C"
     int32_t coverage_samples; /**< along each axis, for fractions, 1 to 10. Default: 4 */
     int32_t have_one_unit;    /**< whether solids surely have one unit, as parts of a mesh have:
                                    there is no warning of others then. Default: 0 */
+    int32_t mend_source;      /**< whether each solid is mended, as surfaces are. Default: 1 */
   } winding_label_options;
 
   /**
@@ -955,7 +1011,7 @@ extern "C"
 
   /**
    * Finds the solids of a surface by its connectivity, with their cavities. Solids are numbered by
-   * their triangles, most first.
+   * their volumes, the largest first.
    *
    * @param points three coordinates in each row
    * @param polygons triangles, or polygons, which are taken as fans from their first corners
@@ -1209,7 +1265,8 @@ extern "C"
    * @param points three coordinates in each row
    * @param options null for the defaults; the choices about areas and normals count
    * @param run null for the defaults
-   * @param normals receives three numbers for each point, of unit length; 0 for unusable points
+   * @param normals receives three numbers for each point, of unit length; 0 for unusable points. It
+   *   holds viewpoint minus point where `look_at_viewpoints` is set
    * @param areas receives a number for each point, unless it is null; NaN for unusable points
    * @param estimate receives how, unless it is null; its size is set
    * @param refusal receives why the call was refused, unless it is null

@@ -37,13 +37,26 @@ std::string inSetter(const std::string& constant)
   return name;
 }
 
+/// The label of a list entry, which ends with a mark if its box is behind the gear.
+struct Label
+{
+  explicit Label(std::string text)
+    : isBehindGear(!text.empty() && text.back() == '*')
+    , words(text.substr(0, text.size() - (isBehindGear ? 1 : 0)))
+  {
+  }
+
+  bool isBehindGear;
+  std::string words;
+};
+
 std::vector<Option> makeOptions()
 {
   std::vector<Option> options;
 #define OPTION(                                                                                    \
   parameter, property, kind, standard, lowest, highest, unit, label, option, keyword, help)        \
   options.push_back({Parameter::parameter, property, OptionKind::kind, standard, lowest, highest,  \
-    label, option, keyword, {}});
+    Label(label).words, Label(label).isBehindGear, option, keyword, {}});
 #define CHOICE(parameter, number, constant, entry, word)                                           \
   options.back().choices.push_back({number, constant, entry, word, inSetter(constant)});
 #define OTHER(parameter, cxx, label, option, keyword, c)
@@ -106,11 +119,10 @@ std::string inCxx(const Option& option, const Setting& setting)
 
 std::string inParaView(const Option& option, const Setting& setting)
 {
-  const std::string label = option.label;
+  const std::string& label = option.label;
   if (const Choice* choice = choiceOf(option, setting.value))
   {
-    const std::string entry = choice->entry;
-    return label + ": " + entry.substr(0, entry.find(' '));
+    return label + ": " + choice->entry;
   }
   const std::string number = numberOf(option, setting);
   if (!number.empty())
@@ -182,16 +194,25 @@ std::string inC(const Option& option, const Setting& setting)
   return name + " = " + value;
 }
 
-/// The names of the settings that a front end has, with "and" between them.
+/// Returns whether a box is one that a user of ParaView does not see.
+bool isHidden(const Setting& setting, FrontEnd frontEnd)
+{
+  const Option* const option = optionOf(setting.parameter);
+  return frontEnd == FrontEnd::paraview && option && option->isBehindGear;
+}
+
+/// Returns the names of the settings that a front end has. Hidden boxes are named where none of
+/// the others is seen.
 std::string namesOf(const std::vector<Setting>& settings, FrontEnd frontEnd)
 {
-  std::string names;
+  std::string seen, hidden;
   for (const Setting& setting : settings)
   {
+    std::string& names = isHidden(setting, frontEnd) ? hidden : seen;
     const std::string name = howTo(setting, frontEnd);
     names += names.empty() || name.empty() ? name : ", " + name;
   }
-  return names;
+  return seen.empty() && !hidden.empty() ? hidden + ", behind the gear" : seen;
 }
 
 /// A remedy in words, or nothing where a front end does not have it.

@@ -54,7 +54,8 @@ struct Option
   OptionKind kind;
   const char* standard; ///< the default, as PrintSelf() prints it
   double lowest, highest;
-  const char* label;
+  std::string label;
+  bool isBehindGear; ///< whether ParaView's panels show it among the advanced properties alone
   const char* option;
   const char* keyword;
   std::vector<Choice> choices;

@@ -248,5 +248,6 @@ template <class T> OfRanks<T> Ranks::gather(const std::vector<T>& own, bool only
 
 template OfRanks<double> Ranks::gather(const std::vector<double>&, bool);
 template OfRanks<int> Ranks::gather(const std::vector<int>&, bool);
+template OfRanks<vtkIdType> Ranks::gather(const std::vector<vtkIdType>&, bool);
 
 } // namespace winding

@@ -76,7 +76,7 @@ public:
   void requireSame(const std::function<Number()>& hashOfProperties);
 
   /// Returns all numbers of all ranks. With `onlyOnFirst` the other ranks get no numbers but their
-  /// counts. T is double or int.
+  /// counts. T is double, int or vtkIdType.
   template <class T> OfRanks<T> gather(const std::vector<T>& own, bool onlyOnFirst);
 
 private:

@@ -315,6 +315,9 @@ void vtkWindingNumberAlgorithm::FillSourcePortInformation(vtkInformation* info)
 winding::SourceOptions vtkWindingNumberAlgorithm::GetSourceOptions()
 {
   winding::SourceOptions options = winding::sourceOptions(*this, !this->EvaluatesGrid());
+  options.field.isOneOfSeveral = this->HasSeveralSources();
+  options.field.mendsSource = this->MendsSource();
+  options.input.estimateNormals |= this->MendsSource();
   options.frame = *this->Frame;
   options.distribution = winding::sourceDistribution(this->SourceDistribution);
   return options;
@@ -409,7 +412,7 @@ void vtkWindingNumberAlgorithm::WarnOfFaults(const winding::Field& field)
   }
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   winding::Run run = this->MakeRun(executor);
-  if (this->WarnsOfOpenSide())
+  if (this->WarnsOfOpenSide() && !this->MendsSource())
   {
     winding::warnOfOpenSide(field, {this->WindingThreshold, this->TakesTouchedVoxels()}, run);
   }

@@ -256,10 +256,10 @@ public:
   ///@{
   /**
    * The flat base of a surface that is open on one side, as scans and terrain are from below.
-   * "down", "up", "+x" to "-z" and "direction x y z" put it where the surface ends that way; a
-   * plane as "z=-5" puts it there. Walls go from the rim to the base. Openings that face the base
-   * are closed by it, and others stay (FlatBase.h). A warning says where there is none. Default:
-   * no base.
+   * "down", "up", "+x" to "-z" and "direction x y z" put it where the surface ends that way,
+   * "down 0.5" that far below; a plane as "z=-5" puts it there. Walls go from the rim to the base.
+   * Openings that face the base are closed by it, and others stay (FlatBase.h). A warning says
+   * where there is none. Default: no base.
    */
   vtkSetStringMacro(FlatBase);
   vtkGetStringMacro(FlatBase);
@@ -271,7 +271,8 @@ public:
    * "-z" and "direction x y z". Faces are turned accordingly. A half is added to w, as a half
    * sphere at infinity does: it is 1 far inside and 0 far outside, and passes 0.5 at the sheet.
    * Beyond the rim of the sheet it passes 0.5 on a surface that goes on smoothly, which is a guess.
-   * Closed parts stay as they are. Default: none.
+   * Closed parts stay as they are. Points are one sheet, unless their normals look to all sides
+   * alike. Default: none.
    */
   vtkSetStringMacro(SheetSide);
   vtkGetStringMacro(SheetSide);
@@ -319,8 +320,8 @@ public:
    * Where the points were seen from: estimated normals look there, and NormalEstimation has no
    * effect. "x y z" is a position, as a scanner's. "x y z; x y z; ..." are several; each point
    * takes the nearest. "direction x y z" is a direction, and so are "up", "down" and "+x" to
-   * "-z"; up is right for points from the air, which see no undersides. Default: none, and the
-   * field decides what is outward.
+   * "-z"; up is right for points from the air, which see no undersides. Default: none; then points
+   * with an array "Viewpoints" look to its places, and the field decides for others.
    */
   vtkSetStringMacro(Toward);
   vtkGetStringMacro(Toward);
@@ -557,6 +558,12 @@ protected:
 
   /// Returns whether WarnOfFaults() warns of sources that are open on a side: yes, unless tasks do.
   virtual bool WarnsOfOpenSide() const { return true; }
+
+  /// Whether sources are mended, so that solids come out.
+  virtual bool MendsSource() const { return false; }
+
+  /// Returns whether several sources have the same options, so that one may be for some of them.
+  virtual bool HasSeveralSources() const { return false; }
 
   /// Returns what the tasks of this filter run with.
   winding::Run MakeRun(winding::Executor& executor);

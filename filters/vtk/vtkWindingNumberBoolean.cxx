@@ -12,6 +12,7 @@
 #include "pipeline/Ranks.h"
 #include "pipeline/SmpExecutor.h"
 #include "private/output/ArraySink.h"
+#include "private/output/Legends.h"
 #include "private/output/NearestAttributes.h"
 #include "private/source/ContentHash.h"
 #include "private/source/NamedBlocks.h"
@@ -153,6 +154,7 @@ void vtkWindingNumberBoolean::ClearOtherNames()
 
 void vtkWindingNumberBoolean::CheckProperties()
 {
+  this->OperandLegend.clear();
   this->Superclass::CheckProperties();
   winding::checkProperty(winding::Parameter::booleanOperation, this->Operation);
   for (const auto& [operand, threshold] : this->OperandThresholds)
@@ -300,6 +302,17 @@ bool vtkWindingNumberBoolean::GetSourceBounds(vtkDataObject* source, double boun
   return !all.isEmpty();
 }
 
+void vtkWindingNumberBoolean::AddSolids(vtkDataObject* source, winding::WallGrid& grid)
+{
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(source);
+  for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+  {
+    this->ChooseSource(i, blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()));
+    this->Superclass::AddSolids(blocks->GetBlock(i), grid);
+  }
+  this->ChooseSource(0, "");
+}
+
 std::size_t vtkWindingNumberBoolean::GetAdditionalBytes(const winding::Field& field, vtkIdType)
 {
   winding::SmpExecutor executor(this, this->NumberOfThreads);
@@ -366,10 +379,15 @@ int vtkWindingNumberBoolean::RequestData(
   {
     return 1;
   }
+  if (const auto unused = this->Facts->unused.messages(); !unused.empty())
+  {
+    vtkWarningMacro(<< winding::lineOf(unused));
+  }
   this->SetProgressShiftScale(static_cast<double>(count) / (count + 1), 1.0 / (count + 1));
   this->MakeResult(output);
   this->AddNearest(blocks, output);
   output->GetFieldData()->AddArray(names);
+  this->OperandLegend = winding::legendOf(output->GetFieldData(), nullptr, "OperandNames");
   this->DescribeMethod(output);
   return 1;
 }
@@ -414,6 +432,7 @@ const char* vtkWindingNumberBoolean::GetOperationAsString() const
 void vtkWindingNumberBoolean::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "OperandLegend: " << this->OperandLegend.size() << " bytes\n";
   os << indent << "Operation: " << this->Operation << "\n";
   os << indent << "OperandThresholds: " << this->OperandThresholds.size() << "\n";
   os << indent << "OperandInsideRules: " << this->OperandInsideRules.size() << "\n";

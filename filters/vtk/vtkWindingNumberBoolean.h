@@ -123,6 +123,10 @@ public:
   void ClearOtherNames();
   ///@}
 
+  /// Returns the names of the operands of the last execution, as "OperandNames" has them: a line
+  /// for each, of its number in "Operand", a tab and the name.
+  const char* GetOperandLegend() const { return this->OperandLegend.c_str(); }
+
 protected:
   vtkWindingNumberBoolean();
   ~vtkWindingNumberBoolean() override;
@@ -139,8 +143,10 @@ protected:
   vtkDataObject* MakeSource() override;
   void HashBounds(winding::ContentHash& hash) override;
   bool GetSourceBounds(vtkDataObject* source, double bounds[6]) override;
+  void AddSolids(vtkDataObject* source, winding::WallGrid& grid) override;
   std::size_t GetAdditionalBytes(const winding::Field& field, vtkIdType samples) override;
   const winding::FieldInfo& GetSourceInfo() const override;
+  bool HasSeveralSources() const override { return true; }
 
   int Operation = UNION;
 
@@ -154,6 +160,7 @@ private:
   std::map<int, double> OperandThresholds;
   std::map<int, int> OperandInsideRules;
   std::map<int, std::string> Names[2]; ///< of connections, by port
+  std::string OperandLegend;
   vtkSmartPointer<vtkMultiBlockDataSet> Blocks;
   std::unique_ptr<winding::LabelFacts> Facts;
   std::unique_ptr<winding::BooleanTask> Task;       ///< null unless data are requested

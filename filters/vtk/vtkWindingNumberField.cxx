@@ -15,6 +15,7 @@
 #include "private/source/ContentHash.h"
 #include "private/source/SourceProperties.h"
 #include "source/Grid.h"
+#include "tasks/MendedSource.h"
 #include "tasks/ResultNotes.h"
 #include "tasks/Sentences.h"
 #include "voxels/SampleBits.h"
@@ -31,6 +32,7 @@ vtkStandardNewMacro(vtkWindingNumberField);
 
 vtkWindingNumberField::vtkWindingNumberField()
 {
+  this->MendSource = 0; // w is of the source as it is
   this->SetResultArrayName("WindingNumber");
 }
 
@@ -66,8 +68,16 @@ double vtkWindingNumberField::GetDistanceLimit() const
 
 int vtkWindingNumberField::GetActiveScalarType() const
 {
-  const bool scalarsAreSides = this->GenerateInside && !this->GenerateWindingNumber;
+  const bool scalarsAreSides =
+    this->ShowsInside() || (this->GenerateInside && !this->GenerateWindingNumber);
   return scalarsAreSides ? VTK_UNSIGNED_CHAR : this->OutputScalarType;
+}
+
+bool vtkWindingNumberField::ShowsInside() const
+{
+  const winding::InsideTest plain;
+  const bool isPlain = this->InsideRule == SIGNED && this->WindingThreshold == plain.threshold;
+  return this->Coverage != CENTER || (this->GenerateInside && !isPlain);
 }
 
 void vtkWindingNumberField::MakeImage(vtkDataObject* source, const winding::Extent& samples,
@@ -106,6 +116,7 @@ winding::ResultOptions vtkWindingNumberField::GetResultOptions() const
   winding::ResultOptions options;
   options.withValues = this->GenerateWindingNumber != 0;
   options.withInside = this->GenerateInside != 0 || this->Coverage != CENTER;
+  options.showsInside = this->ShowsInside();
   options.withDistances = this->WantsDistances();
   options.withCoverage = this->Coverage == FRACTION;
   options.withNearest = this->GenerateNearestCells != 0;
@@ -163,7 +174,7 @@ void vtkWindingNumberField::AddNearestCells(
 }
 
 void vtkWindingNumberField::EvaluateVoxels(
-  const winding::Field& field, const winding::Extent& samples, const winding::ResultArrays& results)
+  const winding::Field& given, const winding::Extent& samples, const winding::ResultArrays& results)
 {
   winding::SmpExecutor executor(this, this->NumberOfThreads);
   const winding::Grid& grid = this->GetSampling();
@@ -181,7 +192,7 @@ void vtkWindingNumberField::EvaluateVoxels(
   {
     const std::size_t present = this->SweptSamples ? this->SweptSamples->size() : 0;
     const std::size_t additional =
-      voxels.additionalBytes(field, count) +
+      voxels.additionalBytes(given, count) +
       (sweptWords - std::min(present, sweptWords)) * sizeof(std::uint64_t);
     winding::refuseBeyondFreeMemory(
       this->GetResultBytes(static_cast<vtkIdType>(count)) + static_cast<double>(additional),
@@ -193,9 +204,16 @@ void vtkWindingNumberField::EvaluateVoxels(
     this->SweptSamples->resize(sweptWords);
     voxels.united = this->SweptSamples->data();
   }
-  this->Evaluate(field, static_cast<vtkIdType>(count), executor,
+  this->Evaluate(given, static_cast<vtkIdType>(count), executor,
     [&]
     {
+      winding::Run run = this->MakeRun(executor);
+      const bool mayThicken = this->Coverage != ANY && sweptWords == 0;
+      winding::MendedSource source(
+        given, grid, {this->MendsSource(), mayThicken, voxels.output.isInside}, run);
+      source.decideByLayers();
+      const winding::Field& field = source.field();
+      voxels.plate = source.plate();
       voxels.run(field, grid, samples, executor);
       const winding::SideCounts counts = sides.counts(count);
       this->NumberOfInsideSamples =
@@ -203,8 +221,12 @@ void vtkWindingNumberField::EvaluateVoxels(
       const vtkIdType all[4] = {static_cast<vtkIdType>(count), this->NumberOfInsideSamples,
         static_cast<vtkIdType>(counts.inside), static_cast<vtkIdType>(counts.negative)};
       std::copy_n(all, 4, this->SampleCounts);
-      if (isWhole)
+      if (isWhole && voxels.plate == 0)
       {
+        if (this->MendsSource())
+        {
+          winding::warnOfOpenSide(field, {this->WindingThreshold, this->TakesTouchedVoxels()}, run);
+        }
         winding::ResultOnGrid result;
         result.sides = counts;
         result.isInside = [&](int i, int j, int k)

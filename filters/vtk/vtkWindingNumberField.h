@@ -27,6 +27,10 @@
  * share of each voxel. vtkWindingNumberVoxels gives the surface of all voxels beyond another share
  * from that array.
  *
+ * **Active scalars.** They are the winding number. "Inside" is active instead where it says
+ * something else than whether w is 0.5 or more: with ANY and FRACTION, and with GenerateInside and
+ * another WindingThreshold or InsideRule. So vtkWindingNumberVoxels shows what is inside.
+ *
  * **On the surface.** Method ROWS gives a sample exactly on a closed surface the neighbouring
  * value, towards +y, or if that is on the surface too towards +z, or +x. Sums (method DIRECT,
  * clouds, the caps of open surfaces) give a sample exactly in the plane of a triangle the mean of
@@ -171,6 +175,7 @@ protected:
   vtkIdType SampleCounts[4] = {};
 
 private:
+  bool ShowsInside() const;
   winding::ResultOptions GetResultOptions() const;
   void AddNearestCells(
     vtkDataObject* source, const std::array<int, 6>& samples, vtkDataSetAttributes* attributes);

@@ -16,6 +16,7 @@
 #include "source/Grid.h"
 #include "tasks/ResultNotes.h"
 #include "tasks/Sentences.h"
+#include "tasks/WallGrid.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
@@ -30,6 +31,7 @@
 #include <exception>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace
 {
@@ -102,6 +104,7 @@ void vtkWindingNumberGridAlgorithm::CheckProperties()
 void vtkWindingNumberGridAlgorithm::HashProperties(winding::ContentHash& hash)
 {
   this->Superclass::HashProperties(hash);
+  hash.addValue(this->MendSource);
   hash.addValue(this->Resolution);
   hash.addValue(this->VoxelSize);
   hash.addValue(this->SamplingDimensions);
@@ -386,9 +389,37 @@ winding::GridRequest vtkWindingNumberGridAlgorithm::GetGridRequest(vtkDataObject
   return request;
 }
 
+void vtkWindingNumberGridAlgorithm::AddSolids(vtkDataObject* source, winding::WallGrid& grid)
+{
+  winding::SmpExecutor executor(this, this->NumberOfThreads);
+  executor.setShare(0, 0);
+  grid.add(this->FieldOf(source, executor), this->GetInsideTest(), this->MendsSource(), executor);
+}
+
+/// Returns the number of voxels that the walls of a source ask for.
+int vtkWindingNumberGridAlgorithm::GetWallResolution(vtkDataObject* source)
+{
+  winding::WallGrid grid(*this->Request);
+  const bool isGiven = this->Request->voxelSize > 0 || this->SamplingDimensions[0] != 0;
+  if (!isGiven && this->UseInputBounds && this->GetRanks().isAlone())
+  {
+    this->SetProgressText("Preparing");
+    const winding::Clock::time_point start = winding::Clock::now();
+    this->AddSolids(source, grid);
+    this->WallSeconds = winding::secondsSince(start);
+  }
+  this->ResolutionReason = grid.reason();
+  return grid.resolution();
+}
+
 void vtkWindingNumberGridAlgorithm::SetUpGrid(vtkDataObject* source)
 {
+  this->ResolutionReason.clear();
   *this->Request = this->GetGridRequest(source);
+  if (this->Request->resolution == 0)
+  {
+    this->Request->resolution = this->GetWallResolution(source);
+  }
   *this->LaidOut = winding::setUpGrid(*this->Request);
   *this->Sampling = *this->LaidOut;
 }
@@ -421,7 +452,10 @@ const winding::Field& vtkWindingNumberGridAlgorithm::PrepareGridField(vtkDataObj
   const auto makers =
     static_cast<std::size_t>(this->WorksOnFirstRank() ? 1 : this->GetRanks().count());
   const winding::Grid& grid = this->GetSampling();
-  return this->PrepareField(source, grid, winding::sampleCount(grid.wholeExtent()) / makers);
+  const winding::Field& field =
+    this->PrepareField(source, grid, winding::sampleCount(grid.wholeExtent()) / makers);
+  this->PrepareSeconds += std::exchange(this->WallSeconds, 0);
+  return field;
 }
 
 const winding::Field& vtkWindingNumberGridAlgorithm::PrepareGridFieldOf(
@@ -543,6 +577,7 @@ void vtkWindingNumberGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const int* dimensions = this->SamplingDimensions;
   const double* bounds = this->SamplingBounds;
+  os << indent << "MendSource: " << this->MendSource << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
   os << indent << "VoxelSize: " << this->VoxelSize << "\n";
   os << indent << "SamplingDimensions: " << dimensions[0] << " " << dimensions[1] << " "
@@ -553,6 +588,7 @@ void vtkWindingNumberGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
      << bounds[3] << " " << bounds[4] << " " << bounds[5] << "\n";
   os << indent << "Padding: " << this->Padding << "\n";
   os << indent << "VerifySamples: " << this->VerifySamples << "\n";
+  os << indent << "ResolutionReason: " << this->ResolutionReason << "\n";
   os << indent << "MaxError: " << this->MaxError << "\n";
   os << indent << "RMSError: " << this->RMSError << "\n";
   os << indent << "NearMaxError: " << this->NearMaxError << "\n";

@@ -27,6 +27,7 @@
 #include <array>      // for extents
 #include <cstddef>    // for std::size_t
 #include <functional> // for the values to verify
+#include <string>     // for reasons
 #include <vector>     // for bounds
 
 namespace winding
@@ -35,6 +36,7 @@ struct Grid;
 struct GridRequest;
 struct ResultOnGrid;
 struct Verification;
+class WallGrid;
 } // namespace winding
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
@@ -46,11 +48,32 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
+  /**
+   * Whether to make a solid of a source, where a warning would say that it is none. Faces that
+   * contradict each other, look inward or are there more than once are turned, as OrientFaces does;
+   * points without normals get estimated ones, and normals that look inward are turned. Open sheets
+   * that bound nothing become a plate of three voxels, and surfaces are closed at the border of the
+   * grid. A warning says what was done. Other properties win: nothing is turned where OrientFaces,
+   * SheetSide, another InsideRule or WindingThreshold is given, and no plate is made with another
+   * shape or Coverage ANY. Default on, off in vtkWindingNumberField, where w would be another one:
+   * there a plate changes Inside and Coverage.
+   */
+  vtkSetMacro(MendSource, vtkTypeBool);
+  vtkGetMacro(MendSource, vtkTypeBool);
+  vtkBooleanMacro(MendSource, vtkTypeBool);
+  ///@}
+
+  ///@{
   /// The number of cubic voxels along the longest side, where neither SamplingDimensions nor
-  /// VoxelSize is set. At least 1, default 64.
+  /// VoxelSize is set. With 0 there are 128, or up to 286 where walls of the source are thinner
+  /// than one and a half voxels (GetResolutionReason()). Walls do not count with SamplingBounds,
+  /// and on several ranks. Default: 0 where a surface is made, and 128 for images.
   vtkSetMacro(Resolution, int);
   vtkGetMacro(Resolution, int);
   ///@}
+
+  /// Returns why the last execution chose more voxels than 128; an empty text where it did not.
+  const char* GetResolutionReason() const { return this->ResolutionReason.c_str(); }
 
   ///@{
   /// The side of the cubic voxels, in the unit of the input; 0 leaves it to Resolution. 0 or more,
@@ -92,8 +115,8 @@ public:
 
   ///@{
   /// The margin around the input's bounds on each side, as a fraction of their longest side. With
-  /// SamplingDimensions it is a fraction of each axis's own side, unless that is 0. 0 or more,
-  /// default 0.05.
+  /// SamplingDimensions it is a fraction of each axis's own side, unless that is 0. Unless it is 0,
+  /// it is a voxel at least, so that surfaces of few voxels close. 0 or more, default 0.05.
   vtkSetMacro(Padding, double);
   vtkGetMacro(Padding, double);
   ///@}
@@ -187,6 +210,10 @@ protected:
   /// Adds everything to a hash that GetSourceBounds() depends on, except the source itself.
   virtual void HashBounds(winding::ContentHash& hash);
 
+  /// Adds all solids whose walls decide about the grid; `source` is one unless a filter says
+  /// otherwise.
+  virtual void AddSolids(vtkDataObject* source, winding::WallGrid& grid);
+
   /// Lays the grid that the properties want over a source.
   void SetUpGrid(vtkDataObject* source);
 
@@ -236,7 +263,10 @@ protected:
   /// Takes over the findings of a verification; a default object stands for none.
   void SetVerification(const winding::Verification& found);
 
-  int Resolution = 64;
+  bool MendsSource() const override { return this->MendSource != 0; }
+
+  vtkTypeBool MendSource = 1;
+  int Resolution = 128;
   double VoxelSize = 0;
   int SamplingDimensions[3] = {0, 0, 0};
   vtkTypeBool UseInputBounds = 1;
@@ -260,8 +290,11 @@ private:
   void Visit(const Times& times, vtkInformation* outInfo, const std::function<void()>& work);
   void UpdateConnection(vtkAlgorithmOutput* connection, vtkInformation* outInfo);
   winding::GridRequest GetGridRequest(vtkDataObject* source);
+  int GetWallResolution(vtkDataObject* source);
   bool GetBoundsOfGrid(vtkDataObject* source, double bounds[6]);
 
+  std::string ResolutionReason;
+  double WallSeconds = 0;               ///< for preparing sources whose walls were measured
   std::vector<double> BoundsOfTimes;    ///< empty without BoundsOverAllTimes, and without times
   unsigned long long SourceOfTimes = 0; ///< hash of the source and the options that gave them
   std::unique_ptr<winding::GridRequest> Request; ///< of the last SetUpGrid()

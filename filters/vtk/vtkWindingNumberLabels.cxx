@@ -8,6 +8,7 @@
 #include "messages/PropertyChecks.h"
 #include "pipeline/SmpExecutor.h"
 #include "private/output/LabelImage.h"
+#include "private/output/Legends.h"
 #include "private/output/TimeUnion.h"
 #include "private/source/ContentHash.h"
 #include "private/source/NamedBlocks.h"
@@ -111,6 +112,8 @@ vtkDataObject* vtkWindingNumberLabels::MakeSource()
 
 void vtkWindingNumberLabels::CheckProperties()
 {
+  this->LabelLegend.clear();
+  this->VolumesInWords.clear();
   this->Superclass::CheckProperties();
   winding::checkProperty(winding::Parameter::overlapRule, this->OverlapRule);
   winding::checkProperty(winding::Parameter::coverageArrays, this->CoverageArrays);
@@ -184,6 +187,7 @@ winding::LabelOptions vtkWindingNumberLabels::GetLabelOptions() const
   options.voxels = this->GetVoxelEvaluation();
   options.voxels.output.isInside = this->GetInsideTest();
   options.overlapRule = static_cast<winding::OverlapRule>(this->OverlapRule);
+  options.mendsSource = this->MendsSource();
   return options;
 }
 
@@ -223,7 +227,8 @@ void vtkWindingNumberLabels::MakeImage(vtkDataObject* source, const winding::Ext
 
 void vtkWindingNumberLabels::UniteTimes(vtkImageData* all, vtkImageData* other)
 {
-  const std::string legend = winding::legendOf(other), known = winding::legendOf(all);
+  const std::string legend = winding::legendOfLabels(other->GetFieldData());
+  const std::string known = winding::legendOfLabels(all->GetFieldData());
   this->LabelLegend = known.empty() ? legend : known;
   if (known.empty())
   {
@@ -232,6 +237,7 @@ void vtkWindingNumberLabels::UniteTimes(vtkImageData* all, vtkImageData* other)
   else if (legend == known)
   {
     winding::uniteLabels(this->GetAttributes(all), this->GetAttributes(other));
+    this->MeasureSolids(all);
   }
   else if (!legend.empty())
   {
@@ -294,7 +300,16 @@ void vtkWindingNumberLabels::DescribeSolids(const winding::Solids& solids, vtkIm
   }
   image->GetFieldData()->AddArray(values);
   image->GetFieldData()->AddArray(names);
-  this->LabelLegend = winding::legendOf(image);
+  this->LabelLegend = winding::legendOfLabels(image->GetFieldData());
+  this->MeasureSolids(image);
+}
+
+void vtkWindingNumberLabels::MeasureSolids(vtkImageData* image)
+{
+  winding::addLabelVolumes(image, this->GetAttributes(image));
+  const winding::Extent whole = this->GetSampling().wholeExtent();
+  const bool isWhole = image->GetNumberOfPoints() >= winding::sampleCount(whole);
+  this->VolumesInWords = isWhole ? winding::volumesInWords(image->GetFieldData()) : "";
 }
 
 void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
@@ -304,6 +319,10 @@ void vtkWindingNumberLabels::WarnOfSolids(const winding::Solids& solids)
   if (facts.warned.count() > 0)
   {
     vtkWarningMacro(<< winding::lineOf(facts.warnings) << " (" << facts.warned.outOf(count) << ")");
+  }
+  if (const auto unused = facts.unused.messages(); !unused.empty())
+  {
+    vtkWarningMacro(<< winding::lineOf(unused));
   }
   if (const auto notes = winding::notesOn(solids.cellCounts()); !notes.empty())
   {
@@ -348,7 +367,8 @@ void vtkWindingNumberLabels::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RegionArray: " << winding::textOf(this->RegionArray) << "\n";
   os << indent << "LabelOffset: " << this->LabelOffset << "\n";
   os << indent << "InputNames: " << this->InputNames.size() << "\n";
-  os << indent << "LabelLegend: " << this->GetNumberOfSolids() << " lines\n";
+  os << indent << "VolumesInWords: " << this->VolumesInWords << "\n";
+  os << indent << "LabelLegend: " << this->LabelLegend.size() << " bytes\n";
   os << indent << "NumberOfSolids: " << this->GetNumberOfSolids() << "\n";
   os << indent << "NumberOfEmptySolids: " << this->GetNumberOfEmptySolids() << "\n";
   os << indent << "NumberOfOpenSolids: " << this->GetNumberOfOpenSolids() << "\n";

@@ -13,9 +13,9 @@
  *
  * **Solids.**
  * - Of a vtkMultiBlockDataSet every leaf is one, in blocks of blocks, too; a multi-piece counts as
- *   one leaf. Of a vtkPartitionedDataSetCollection every partitioned data set is one, and of any
- *   other composite every leaf. Their labels are 1, 2, … in the order of the blocks. A block that
- *   is empty or not there has a label, which no voxel gets.
+ *   one leaf. Of a vtkPartitionedDataSetCollection every partitioned data set is one, and any
+ *   other composite, as a vtkPartitionedDataSet, is one itself. Their labels are 1, 2, … in their
+ *   order. A block that is empty or not there has a label, which no voxel gets.
  * - Of several inputs every one is a block, in the order of the connections.
  * - Of a single data set every region is one: the cells with one value of the cell array
  *   RegionArray, an integer or a text. The label of an integer is that value plus LabelOffset.
@@ -24,7 +24,7 @@
  *   other data sets have regions with outer surfaces of their own.
  * - Of a single data set without a RegionArray every part is one that shares edges with no other;
  *   the wall of a cavity, which is oriented inward, belongs to the part around it, and closed parts
- *   that touch are apart. They have the labels 1, 2, … by their number of triangles, most first.
+ *   that touch are apart. They have the labels 1, 2, … by their volumes, the largest first.
  *   Where a file names them, parts of one name are one, with labels in the order of the names:
  *   the first of objects, solids and groups that do not divide a part, or else materials, if each
  *   part has another one. Names are the cell arrays "ObjectIds", "SolidIds", "GroupIds" and
@@ -34,11 +34,12 @@
  * winding number decides.
  *
  * **Output.** In addition to "Label", which is active, there are arrays by GenerateSolidCount and
- * CoverageArrays. The field data has a row for each solid: "LabelValues" (unsigned short) and
- * "LabelNames" (strings), the names of the blocks, or "Block n" where there is none, of inputs
- * (SetInputName()), of the file, of a region, which is a text or the array and the integer, or
- * "Part n". A name that occurs again gets a number. For a surface of all labels that meets without
- * gaps see vtkWindingNumberVoxels, or smooth vtkSurfaceNets3D.
+ * CoverageArrays. The field data has a row for each solid: "LabelValues" (unsigned short),
+ * "LabelVolumes" (double), of its voxels in this piece, and "LabelNames" (strings). Names are the
+ * blocks', or "Block n" where there is none, the inputs' (SetInputName()), the file's, a region's,
+ * which is a text or the array and the integer, or "Part n". A name that occurs again gets a
+ * number. For a surface of all labels that meets without gaps see vtkWindingNumberVoxels, or smooth
+ * vtkSurfaceNets3D.
  *
  * **Pipeline.** The image is laid by vtkWindingNumberImageAlgorithm, which says how the filter
  * streams. One solid after the other is built, evaluated where it can be inside and forgotten, so
@@ -173,6 +174,10 @@ public:
   /// have them: a line for each, of the label, a tab and the name.
   const char* GetLabelLegend() const { return this->LabelLegend.c_str(); }
 
+  /// Returns a line with the name and the volume of each of the first twenty solids; nothing where
+  /// the last execution made a piece of the grid.
+  const char* GetVolumesInWords() const { return this->VolumesInWords.c_str(); }
+
   ///@{
   /// Facts about the last execution: the number of solids, and of those that have no primitives,
   /// those that are surfaces with net boundary edges, and those that are inside out, which is known
@@ -196,6 +201,7 @@ protected:
   void HashProperties(winding::ContentHash& hash) override;
   void CheckSource(vtkDataObject* source) override;
   void WarnOfFaults(const winding::Field& field) override;
+  bool HasSeveralSources() const override { return true; }
   const winding::FieldInfo& GetSourceInfo() const override;
   double GetResultBytes(vtkIdType samples) const override;
 
@@ -215,10 +221,11 @@ private:
   winding::LabelOptions GetLabelOptions() const;
   void MergeSolids(const winding::Solids& solids, winding::LabelImage& labels);
   void DescribeSolids(const winding::Solids& solids, vtkImageData* image);
+  void MeasureSolids(vtkImageData* image);
   void WarnOfSolids(const winding::Solids& solids);
 
   std::unique_ptr<winding::LabelFacts> Facts;
-  std::string LabelLegend;
+  std::string LabelLegend, VolumesInWords;
   std::map<int, std::string> InputNames;
   vtkSmartPointer<vtkMultiBlockDataSet> Blocks; ///< several inputs, as MakeSource() returned them
 };

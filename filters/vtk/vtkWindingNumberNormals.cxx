@@ -253,7 +253,8 @@ void vtkWindingNumberNormals::AddAreas(vtkDataObject* data, winding::Ranks& rank
   input.gather(ranks);
   std::vector<winding::OrientedPointsView> all = input.isGathered() ? input.orientedPoints() : own;
   winding::PointCloud cloud = winding::sanitize(all, executor);
-  const bool estimates = cloud.normals.size() < cloud.positions.size();
+  const bool lookAtViewpoints = input.lookAtViewpoints();
+  const bool estimates = lookAtViewpoints || cloud.normals.size() < cloud.positions.size();
   if (estimates)
   {
     if (this->EstimateNormals == 0)
@@ -264,7 +265,7 @@ void vtkWindingNumberNormals::AddAreas(vtkDataObject* data, winding::Ranks& rank
     {
       for (winding::OrientedPointsView& view : *views)
       {
-        view.normals = {};
+        view.normals = lookAtViewpoints ? view.normals : winding::VectorsView();
       }
     }
   }
@@ -272,7 +273,7 @@ void vtkWindingNumberNormals::AddAreas(vtkDataObject* data, winding::Ranks& rank
   {
     vtkWarningMacro(<< winding::lineOf(winding::keptNormals()));
   }
-  this->FindNormalsAndAreas(cloud, executor);
+  this->FindNormalsAndAreas(cloud, estimates, executor);
   const auto getsNormals = [&](vtkPointSet* pointSet)
   {
     return estimates ||
@@ -314,13 +315,13 @@ void vtkWindingNumberNormals::AddAreas(vtkDataObject* data, winding::Ranks& rank
 
 /// Areas of a mesh come in with its points.
 void vtkWindingNumberNormals::FindNormalsAndAreas(
-  winding::PointCloud& cloud, winding::Executor& executor)
+  winding::PointCloud& cloud, bool estimates, winding::Executor& executor)
 {
   const winding::PointAreaOptions options = {this->PointAreaMethod == CONSTANT
                                                ? winding::PointAreaMethod::constant
                                                : winding::PointAreaMethod::voronoi,
     this->PointArea, this->NumberOfNeighbors};
-  if (cloud.normals.size() < cloud.positions.size())
+  if (estimates)
   {
     const winding::OutwardNormals found =
       winding::giveOutwardNormals(cloud, winding::coreNormalEstimation(this->NormalEstimation),

@@ -231,7 +231,7 @@ protected:
 
 private:
   void AddAreas(vtkDataObject* data, winding::Ranks& ranks);
-  void FindNormalsAndAreas(winding::PointCloud& cloud, winding::Executor& executor);
+  void FindNormalsAndAreas(winding::PointCloud& cloud, bool estimates, winding::Executor& executor);
 };
 VTK_ABI_NAMESPACE_END
 

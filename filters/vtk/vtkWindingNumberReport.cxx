@@ -98,6 +98,7 @@ int vtkWindingNumberReport::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->Report->Initialize();
+  this->Advice.clear();
   const int asked = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
   winding::Ranks ranks(this->Controller);
   if (ranks.isAlone() && outputs->GetInformationObject(asked)->Get(
@@ -192,6 +193,7 @@ void vtkWindingNumberReport::MakeReport(
   const winding::SourceReport report =
     winding::reportOn(*views, completion, shape, counts, fixes ? &fix : nullptr, executor);
   this->Report->ShallowCopy(report.arrays);
+  this->Advice = report.advice;
   if (turnedNormals)
   {
     vtkNew<vtkIdTypeArray> array;
@@ -239,19 +241,27 @@ const char* vtkWindingNumberReport::GetAdvice()
   return advice ? advice->GetValue(0).c_str() : "";
 }
 
+const char* vtkWindingNumberReport::GetAdvice(int number)
+{
+  const auto i = static_cast<std::size_t>(number);
+  return i < this->Advice.size() ? this->Advice[i].c_str() : "";
+}
+
 const char* vtkWindingNumberReport::GetAdviceInLines()
 {
   constexpr std::size_t longest = 44;
-  std::istringstream words(this->GetAdvice());
   this->AdviceInLines.clear();
-  std::size_t length = 0;
-  for (std::string word; words >> word; length += word.size())
+  for (const std::string& advice : this->Advice)
   {
-    const bool isFirst = this->AdviceInLines.empty();
-    const bool fits = length + 1 + word.size() <= longest;
-    this->AdviceInLines += isFirst ? "" : fits ? " " : "\n";
-    length = fits && !isFirst ? length + 1 : 0;
-    this->AdviceInLines += word;
+    std::istringstream words(advice + (&advice == &this->Advice.back() ? "" : ";"));
+    std::size_t length = longest;
+    for (std::string word; words >> word; length += word.size())
+    {
+      const bool fits = length + 1 + word.size() <= longest;
+      this->AdviceInLines += this->AdviceInLines.empty() ? "" : fits ? " " : "\n";
+      length = fits ? length + 1 : 0;
+      this->AdviceInLines += word;
+    }
   }
   return this->AdviceInLines.c_str();
 }

@@ -140,7 +140,8 @@
 #include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberAlgorithm.h" // for the choices
 
-#include <string> // for the advice in lines
+#include <string> // for the advice
+#include <vector> // for its points
 
 namespace winding
 {
@@ -232,8 +233,14 @@ public:
   /// The second output: the blocks that show the faults of a surface.
   vtkMultiBlockDataSet* GetFaults();
 
-  /// The advice, broken into lines of at most 44 characters, for panels that do not break them. The
-  /// text lives until the next call.
+  ///@{
+  /// The points of the advice, what spoils most first; empty for other numbers.
+  int GetNumberOfAdvice() const { return static_cast<int>(this->Advice.size()); }
+  const char* GetAdvice(int number);
+  ///@}
+
+  /// The advice, a new line for each point, broken into lines of at most 44 characters, for panels
+  /// that do not break them. The text lives until the next call.
   const char* GetAdviceInLines();
 
   /// The arrays of the report, in the order in which people read them, without those that the
@@ -308,6 +315,7 @@ protected:
   vtkSmartPointer<vtkMultiProcessController> Controller;
   int SourceDistribution = 0;
   vtkNew<vtkFieldData> Report;
+  std::vector<std::string> Advice; ///< by point
   std::string AdviceInLines;
 };
 VTK_ABI_NAMESPACE_END

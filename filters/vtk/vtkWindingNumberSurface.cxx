@@ -33,6 +33,7 @@ void vtkWindingNumberSurface::CheckProperties()
 {
   this->Superclass::CheckProperties();
   winding::checkProperty(winding::Parameter::fidelitySamples, this->FidelitySamples);
+  winding::checkProperty(winding::Parameter::gapWidth, this->GapWidth);
   winding::checkProperty(winding::Parameter::offset, this->Offset);
   winding::checkProperty(winding::Parameter::shell, this->Shell);
   winding::checkProperty(winding::Parameter::shellSide, this->ShellSide);
@@ -49,6 +50,7 @@ void vtkWindingNumberSurface::HashProperties(winding::ContentHash& hash)
   hash.addValue(this->FidelitySamples);
   hash.addValue(this->GenerateDistanceToInput);
   hash.addValue(this->FillCavities);
+  hash.addValue(this->GapWidth);
   hash.addValue(this->Offset);
   hash.addValue(this->Shell);
   hash.addValue(this->ShellSide);
@@ -58,6 +60,7 @@ winding::SurfaceOptions vtkWindingNumberSurface::GetSurfaceOptions() const
 {
   winding::SurfaceOptions options = this->Superclass::GetSurfaceOptions();
   options.shape.fillsCavities = this->FillCavities != 0;
+  options.shape.gapWidth = this->GapWidth;
   options.shape.offset = this->Offset;
   options.shape.shell = this->Shell;
   options.shape.shellSide = static_cast<winding::ShellSide>(this->ShellSide);
@@ -202,6 +205,7 @@ void vtkWindingNumberSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FillCavities: " << this->FillCavities << "\n";
+  os << indent << "GapWidth: " << this->GapWidth << "\n";
   os << indent << "Offset: " << this->Offset << "\n";
   os << indent << "Shell: " << this->Shell << "\n";
   os << indent << "ShellSide: " << this->ShellSide << "\n";

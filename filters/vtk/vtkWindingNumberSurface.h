@@ -62,6 +62,15 @@ public:
   ///@}
 
   ///@{
+  /// The width of openings that do not let the outside into cavities, with FillCavities, as a
+  /// length in the source's unit: a model of two walls with pin holes becomes one solid. Voxels
+  /// should be half as long at most, and a warning says so. The grid over the source's bounds grows
+  /// with it. Default 0.
+  vtkSetMacro(GapWidth, double);
+  vtkGetMacro(GapWidth, double);
+  ///@}
+
+  ///@{
   /// How far the surface moves outward, inward if negative, as a length in the source's unit: it is
   /// the level set of the signed distance. Convex edges become round outward and stay sharp inward.
   /// The grid over the source's bounds grows with it. Default 0.
@@ -146,6 +155,7 @@ protected:
   winding::SurfaceOptions GetSurfaceOptions() const override;
 
   vtkTypeBool FillCavities = 0;
+  double GapWidth = 0;
   double Offset = 0;
   double Shell = 0;
   int ShellSide = INWARD;

@@ -17,11 +17,13 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cmath>
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -40,6 +42,7 @@ static_assert(isNumber(winding::Features::voxels, Filter::VOXELS));
 vtkWindingNumberSurfaceAlgorithm::vtkWindingNumberSurfaceAlgorithm()
 {
   this->SetNumberOfOutputPorts(2);
+  this->Resolution = 0;
 }
 
 vtkPolyData* vtkWindingNumberSurfaceAlgorithm::GetOutput()
@@ -109,6 +112,7 @@ void vtkWindingNumberSurfaceAlgorithm::SetUpGridOver(vtkDataObject* source)
 
 void vtkWindingNumberSurfaceAlgorithm::CheckProperties()
 {
+  this->SolidInWords.clear();
   this->Superclass::CheckProperties();
   winding::checkProperty(winding::Parameter::features, this->Features);
   winding::checkProperty(winding::Parameter::outputPointsPrecision, this->OutputPointsPrecision);
@@ -138,6 +142,7 @@ winding::SurfaceOptions vtkWindingNumberSurfaceAlgorithm::GetSurfaceOptions() co
   options.isInside = this->GetInsideTest();
   options.features = static_cast<winding::Features>(this->Features);
   options.areTriangles = this->GenerateTriangles != 0;
+  options.mendsSource = this->MendsSource();
   options.closesBorder = this->CloseBorder != 0;
   options.hasNormals = this->GenerateNormals != 0;
   options.hasImage = this->GenerateImage != 0;
@@ -159,6 +164,14 @@ void vtkWindingNumberSurfaceAlgorithm::AddResult(
   const winding::ArraySink& result, vtkPolyData* output)
 {
   result.addTo(output);
+  const auto number = [&result](winding::Output single)
+  {
+    vtkDataArray* const array = result.array(single);
+    return array ? array->GetComponent(0, 0) : vtkMath::Nan();
+  };
+  this->SolidInWords = winding::solidInWords(number(winding::Output::isClosed) != 0,
+    std::llround(number(winding::Output::parts)), number(winding::Output::volume),
+    number(winding::Output::inputVolume));
   if (vtkDataArray* const inside = result.array(winding::Output::inside))
   {
     const winding::Grid& grid = this->GetSampling();
@@ -191,9 +204,9 @@ void vtkWindingNumberSurfaceAlgorithm::AddNearest(vtkDataObject* source, vtkPoly
   const winding::NearestAttributes nearest(source, this->GetSourceOptions(),
     {this->GenerateNearestCells != 0, this->TransferAttributes != 0}, executor);
   nearest.addTo(output, executor);
-  if (const auto note = nearest.note())
+  for (const winding::Message& note : nearest.notes())
   {
-    vtkWarningMacro(<< winding::lineOf(*note));
+    vtkWarningMacro(<< winding::lineOf(note));
   }
 }
 
@@ -213,4 +226,5 @@ void vtkWindingNumberSurfaceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GenerateNearestCells: " << this->GenerateNearestCells << "\n";
   os << indent << "GenerateImage: " << this->GenerateImage << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "SolidInWords: " << this->SolidInWords << "\n";
 }

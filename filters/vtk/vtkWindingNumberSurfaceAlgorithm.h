@@ -42,6 +42,8 @@
 #include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberGridAlgorithm.h"
 
+#include <string>
+
 namespace winding
 {
 class ArraySink;
@@ -114,8 +116,8 @@ public:
    * Floats and colours (three or four bytes) are interpolated; any other array, as of labels, has
    * nothing in between, and the nearest corner gives its own. Arrays that the surface has already
    * stay, and what is active in the source becomes active where the surface has none. Names of
-   * regions come along as field data. Of several data sets those arrays are taken that all have; a
-   * warning names others. Default off.
+   * regions come along as field data. Of several data sets those arrays are taken that all have,
+   * and colours that some have, white elsewhere; a warning names others. Default off.
    */
   vtkSetMacro(TransferAttributes, vtkTypeBool);
   vtkGetMacro(TransferAttributes, vtkTypeBool);
@@ -154,6 +156,10 @@ public:
   vtkGetMacro(GenerateImage, vtkTypeBool);
   vtkBooleanMacro(GenerateImage, vtkTypeBool);
   ///@}
+
+  /// Returns what the last surface encloses, for people: "1 part, volume 0.5 (input 0.51)". The
+  /// field data have the numbers, as "Closed", "Parts", "Volume" and "InputVolume".
+  const char* GetSolidInWords() const { return this->SolidInWords.c_str(); }
 
   /// The output of port 0.
   vtkPolyData* GetOutput();
@@ -205,6 +211,9 @@ protected:
   vtkTypeBool GenerateNearestCells = 0;
   vtkTypeBool GenerateImage = 0;
   int OutputPointsPrecision = DEFAULT_PRECISION;
+
+private:
+  std::string SolidInWords;
 };
 VTK_ABI_NAMESPACE_END
 

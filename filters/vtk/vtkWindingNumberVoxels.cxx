@@ -11,6 +11,7 @@
 #include "pipeline/FreeMemory.h"
 #include "pipeline/SmpExecutor.h"
 #include "pipeline/VtkVersions.h"
+#include "private/output/Legends.h"
 #include "private/output/NearestAttributes.h"
 #include "private/source/CellChecks.h"
 #include "private/source/SourceParts.h"
@@ -330,6 +331,7 @@ vtkDataArray* vtkWindingNumberVoxels::FindValues(vtkImageData* image, int& assoc
 
 void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* output)
 {
+  this->LabelLegend.clear();
   winding::checkProperty(winding::Parameter::windingThreshold, this->WindingThreshold);
   const winding::InsideTest isInside = {
     winding::coreInsideRule(this->InsideRule), this->WindingThreshold};
@@ -345,6 +347,7 @@ void vtkWindingNumberVoxels::MakeSurface(vtkImageData* image, vtkPolyData* outpu
   const std::array<double, 3> firstIndex = firstIndexOf(image, asCells);
   if (this->ByLabel == LABELS_ON || (this->ByLabel == LABELS_AUTOMATIC && areCalledLabels(values)))
   {
+    this->LabelLegend = winding::legendOfLabels(image->GetFieldData());
     auto voxels = voxelsOf<unsigned short>(image, values, asCells);
     voxels.labels = labelsOf(values);
     addQuads(voxels, image, firstIndex, this, output,
@@ -383,9 +386,9 @@ void vtkWindingNumberVoxels::AddNearest(vtkDataObject* source, vtkPolyData* outp
   const winding::NearestAttributes nearest(
     source, options, {this->GenerateNearestCells != 0, this->TransferAttributes != 0}, executor);
   nearest.addTo(output, executor);
-  if (const auto note = nearest.note())
+  for (const winding::Message& note : nearest.notes())
   {
-    vtkWarningMacro(<< winding::lineOf(*note));
+    vtkWarningMacro(<< winding::lineOf(note));
   }
 }
 
@@ -418,6 +421,7 @@ void vtkWindingNumberVoxels::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WindingThreshold: " << this->WindingThreshold << "\n";
   os << indent << "InsideRule: " << this->InsideRule << "\n";
   os << indent << "ByLabel: " << this->ByLabel << "\n";
+  os << indent << "LabelLegend: " << this->LabelLegend.size() << " bytes\n";
   os << indent << "TransferAttributes: " << this->TransferAttributes << "\n";
   os << indent << "GenerateNearestCells: " << this->GenerateNearestCells << "\n";
   os << indent << "Mirror: " << winding::textOf(this->Mirror) << "\n";

@@ -41,6 +41,8 @@
 #include "vtkWindingABINamespace.h"
 #include "vtkWindingNumberAlgorithm.h" // for the choices
 
+#include <string>
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
@@ -123,6 +125,10 @@ public:
   vtkGetStringMacro(Mirror);
   ///@}
 
+  /// Returns the names of the labels of the last execution, as vtkWindingNumberLabels does; empty
+  /// where the input has none.
+  const char* GetLabelLegend() const { return this->LabelLegend.c_str(); }
+
 protected:
   vtkWindingNumberVoxels();
   ~vtkWindingNumberVoxels() override;
@@ -151,6 +157,8 @@ private:
   void MakeSurface(vtkImageData* image, vtkPolyData* output);
   void AddNearest(vtkDataObject* source, vtkPolyData* output);
   void WarnOfNegative(vtkDataArray* values);
+
+  std::string LabelLegend;
 };
 VTK_ABI_NAMESPACE_END
 

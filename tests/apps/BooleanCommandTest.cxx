@@ -146,7 +146,8 @@ TEST_F(BooleanCommand, TakesAThresholdAndARuleForEachInput)
   EXPECT_NEAR(this->checked({"--rules", "signed,absolute", "--thresholds", "0.5,2"})["volume"],
     volumeOfSphere, 0.2);
   // A threshold for the odd one holds its place.
-  EXPECT_NEAR(this->checked({"--rules", "odd,signed", "--thresholds", "0.5,0.5"})["volume"],
+  EXPECT_NEAR(
+    this->checked({"--rules", "odd,signed", "--thresholds", "0.5,0.5", "--as-is"})["volume"],
     volumeOfSphere, 0.2);
 }
 

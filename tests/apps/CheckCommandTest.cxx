@@ -36,7 +36,7 @@ TEST_F(CheckCommand, ClosedSurface)
   EXPECT_EQ(report["euler"], 2);
   EXPECT_NEAR(report["area"], 12.566, 0.3);
   EXPECT_EQ(report["bbox"], nlohmann::json({-1.0, -1.0, -1.0, 1.0, 1.0, 1.0}));
-  EXPECT_EQ(report["advice"], "closed: every winding number is an integer");
+  EXPECT_EQ(report["advice"], "nothing to mend; closed: every winding number is an integer");
 }
 
 TEST_F(CheckCommand, OpenSurface)
@@ -410,12 +410,24 @@ TEST_F(CheckCommand, RefusesOptionsThatMakeNoSense)
   EXPECT_EQ(namesIn(folder.path("")), (std::vector<std::string>{"in.off", "in.xyz", "points.xyz"}));
 }
 
-TEST_F(CheckCommand, TextEndsWithAdvice)
+TEST_F(CheckCommand, TextBeginsWithAdviceByPoint)
 {
   const Outcome run = runProgram({"check", folder.write("a.off", asOff(sphere(1)))});
   EXPECT_EQ(run.status, 0);
   EXPECT_NE(run.out.find("\nboundary edges         0\n"), std::string::npos) << run;
-  EXPECT_NE(run.out.find("\nclosed: every winding number is an integer\n"), std::string::npos);
+  EXPECT_EQ(run.out.rfind("nothing to mend; closed: every winding number is an integer\n\n", 0), 0u)
+    << run;
+  Mesh mesh = sphere(1);
+  for (auto& triangle : mesh.triangles)
+  {
+    std::swap(triangle[1], triangle[2]);
+  }
+  const Outcome inward = runProgram({"check", folder.write("b.off", asOff(mesh))});
+  EXPECT_EQ(inward.out.rfind("inside out: use --rule absolute, or turn the faces "
+                             "(--fix-orientation, --orient)\nclosed:",
+              0),
+    0u)
+    << inward;
 }
 
 /// Compares with the values that another program found in the real meshes.

@@ -206,6 +206,70 @@ TEST_F(Clouds, OfTablesHaveColumnsByAnyUsualName)
   }
 }
 
+/// A wall that two scanners see: the rows say which one.
+TEST_F(Clouds, OfTablesMaySayWhereEachPointWasSeenFrom)
+{
+  Cloud scan = sphereCloud(1000);
+  const auto rowsOf = [&scan](const char* separator, double from)
+  {
+    std::ostringstream rows;
+    for (const Point& p : scan.points)
+    {
+      for (const double x : p)
+      {
+        rows << x << separator;
+      }
+      rows << from * p[0] << separator << from * p[1] << separator << from * p[2] << "\n";
+    }
+    return rows.str();
+  };
+  const auto windingOf = [this](const std::string& cloud, const std::vector<std::string>& more)
+  {
+    const std::string answer = folder.path("answer.csv");
+    std::vector<std::string> arguments = {"probe", cloud,
+      folder.write("queries.csv", "x,y,z\n0.1,0.2,0\n"), "-o", answer, "--estimate-normals",
+      "--rule", "absolute"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome run = runProgram(arguments);
+    EXPECT_EQ(run.status, 0) << run;
+    EXPECT_EQ(run.err, "") << run;
+    const std::string text = contentsOf(answer);
+    const std::size_t row = text.find('\n') + 1;
+    return std::stod(text.substr(text.find(',', text.find(',', text.find(',', row) + 1) + 1) + 1));
+  };
+  const std::string named = "x,y,z,vp_x,vp_y,vp_z\n", other = "x,y,z,a,b,c\n";
+  // Seen from inside, the points look inward, as no field would have them.
+  EXPECT_NEAR(windingOf(folder.write("out.csv", named + rowsOf(",", 3)), {}), 1, 0.05);
+  EXPECT_NEAR(windingOf(folder.write("in.csv", named + rowsOf(",", 0.5)), {}), -1, 0.05);
+  EXPECT_NEAR(
+    windingOf(
+      folder.write("in.xyz", "x y z viewpoint_x viewpoint_y viewpoint_z\n" + rowsOf(" ", 0.5)), {}),
+    -1, 0.05);
+  EXPECT_NEAR(windingOf(folder.write("other.csv", other + rowsOf(",", 0.5)),
+                {"--columns", "vx=a", "vy=b", "vz=6"}),
+    -1, 0.05);
+  EXPECT_NEAR(windingOf(folder.path("other.csv"), {}), 1, 0.05);
+  EXPECT_NEAR(windingOf(folder.path("in.csv"), {"--toward", "0", "0", "0"}), -1, 0.05);
+  EXPECT_NEAR(windingOf(folder.path("out.csv"), {"--toward", "0", "0", "0"}), -1, 0.05);
+  const Outcome normals =
+    runProgram({"normals", folder.path("in.csv"), "-o", folder.path("in.ply")});
+  EXPECT_EQ(normals.status, 0) << normals;
+  EXPECT_NEAR(windingOf(folder.path("in.ply"), {"--quiet"}), -1, 0.05);
+}
+
+TEST_F(Clouds, OfHalfAThingKeepTheReportOnTheirNormals)
+{
+  Cloud half = sphereCloud(2000);
+  half.normals.clear();
+  half.points.erase(
+    std::remove_if(half.points.begin(), half.points.end(), [](const Point& p) { return p[1] < 0; }),
+    half.points.end());
+  const auto report =
+    expectField(half, {"--estimate-normals", "--mirror", "y=0", "--toward", "0", "9", "0"}, "");
+  EXPECT_TRUE(report["input"]["normals_estimated"].get<bool>()) << report;
+  EXPECT_GT(report["input"]["clear_share"].get<double>(), 0.9) << report;
+}
+
 /// Zeros for normals, in every format that has any.
 TEST_F(Clouds, WithZerosForNormalsGetThemEstimated)
 {
@@ -305,6 +369,15 @@ TEST_F(Clouds, OptionsForThemAreIdleForSurfacesAndThatIsSaid)
         << outcome;
     }
   }
+  EXPECT_EQ(runProgram({"boolean", mesh, mesh, "-o", folder.path("out.ply"), "--estimate-normals"})
+              .err.empty(),
+    false);
+  Cloud bare = sphereCloud(500);
+  bare.normals.clear();
+  EXPECT_EQ(runProgram({"boolean", mesh, folder.write("bare.xyz", asXyz(bare)), "-o",
+                         folder.path("out.ply"), "--estimate-normals"})
+              .err,
+    "");
   EXPECT_EQ(runProgram({"field", mesh, "-o", out}).err, "");
   EXPECT_EQ(runProgram({"field", mesh, "-o", out, "--points", "--regularization", "1"}).err, "");
 }

@@ -51,7 +51,6 @@ TEST(CommandLine, UsageErrors)
     {{"field", in, "-o", vtp}, ".vti"},
     {{"surface", in, "-o", folder.path("out.pvti")}, ".stl"},
     {{"probe", in, in, "-o", folder.path("out.stl")}, ".csv"},
-    {{"field", in, "-o", vti, "--resolution", "0"}, "--resolution is 0"},
     {{"field", in, "-o", vti, "--resolution", "-7"}, "--resolution is -7"},
     {{"field", in, "-o", vti, "--resolution", "many"}, "--resolution"},
     {{"field", in, "-o", vti, "--voxel-size", "-0.5"}, "--voxel-size is -0.5"},
@@ -125,8 +124,9 @@ TEST(CommandLine, NegativeNumbersAreValuesOfOptions)
 {
   const TemporaryFolder folder;
   const std::string in = folder.write("in.off", asOff(sphere(1)));
-  const Outcome run = runProgram({"field", in, "-o", folder.path("out.vti"), "--json",
-    "--resolution", "4", "--bounds", "-.5", "0.5", "-1e0", "1", "-2", "2", "--threshold", "-0.5"});
+  const Outcome run =
+    runProgram({"field", in, "-o", folder.path("out.vti"), "--json", "--resolution", "4",
+      "--bounds", "-.5", ".5", "-1e0", "1.", "-.2e1", "2", "--threshold", "-0.5"});
   ASSERT_EQ(run.status, 0) << run;
   EXPECT_EQ(run.json()["grid"]["dimensions"], nlohmann::json({1, 2, 4}));
 }

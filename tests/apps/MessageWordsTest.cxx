@@ -48,9 +48,13 @@ TEST(MessageWords, AreThoseOfTheProgram)
   EXPECT_EQ(
     messageOf("normals", "octahedron.xyz", {}, vtp), expected["normals where others are wanted"]);
   EXPECT_EQ(messageOf("field", "colours.xyz", coarse, vti), expected["columns of colours"]);
-  EXPECT_EQ(messageOf("surface", "cube.off",
-              {"--resolution", "4", "--bounds", "0.4", "0.6", "0.4", "0.6", "0.4", "0.6"}, vtp),
-    expected["a grid within the solid"]);
+  std::vector<std::string> within = {
+    "--resolution", "4", "--bounds", "0.4", "0.6", "0.4", "0.6", "0.4", "0.6"};
+  EXPECT_EQ(messageOf("surface", "cube.off", within, vtp),
+    expected["a solid that is closed at the border"]);
+  within.emplace_back("--as-is");
+  EXPECT_EQ(messageOf("surface", "cube.off", within, vtp), expected["a grid within the solid"]);
+  EXPECT_EQ(messageOf("surface", "inward.off", coarse, vtp), expected["faces that are turned"]);
   EXPECT_EQ(runProgram({"check", WINDING_MESSAGES "/inward.off", "--json"}).json()["advice"],
     expected["the report on faces that look inward"]);
 }

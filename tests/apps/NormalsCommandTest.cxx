@@ -284,7 +284,7 @@ TEST_F(NormalsCommand, KeepWhatPointsCameWith)
 
 TEST_F(NormalsCommand, GiveColumnsNamesThatDiffer)
 {
-  // Colours beyond bytes stay numbers, all of them, and texture coordinates come back as such.
+  // Colours of two bytes become one, and texture coordinates come back as such.
   std::string ply = "ply\nformat ascii 1.0\nelement vertex 66\n";
   for (const char* const property : {"float x", "float y", "float z", "ushort red", "ushort green",
          "ushort blue", "float u", "float v", "float \xC3\xA4", "float \xC3\xB6"})
@@ -300,7 +300,7 @@ TEST_F(NormalsCommand, GiveColumnsNamesThatDiffer)
   const std::string in = folder.write("in.ply", ply);
   ASSERT_EQ(this->run(in, "out.ply").err, "");
   const std::string out = contentsOf(folder.path("out.ply"));
-  EXPECT_NE(out.find("property double red\nproperty double green\nproperty double blue\n"),
+  EXPECT_NE(out.find("property uchar red\nproperty uchar green\nproperty uchar blue\n"),
     std::string::npos)
     << out.substr(0, 600);
   EXPECT_NE(out.find("property double s\nproperty double t\n"), std::string::npos);

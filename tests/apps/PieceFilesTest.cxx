@@ -3,9 +3,16 @@
 #include "apps/Inputs.h"
 #include "apps/RunProgram.h"
 
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataReader.h"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -269,6 +276,132 @@ TEST_F(PieceFiles, OfGltfMayMirrorAndMoveInAllWays)
   EXPECT_EQ(labels[1]["name"], "cube");
 }
 
+/// The extension that a packed mesh needs is named, even where accessors have no data.
+TEST_F(PieceFiles, OfGltfThatArePackedNameTheExtension)
+{
+  for (const std::string extension : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"})
+  {
+    for (const char* const list : {"extensionsRequired", "extensionsUsed"})
+    {
+      nlohmann::json file = nlohmann::json::parse(gltfOf(R"(,"uri":"cube.bin")"));
+      folder.write("cube.bin", cubeBuffer());
+      file[list] = {extension};
+      file["meshes"][0]["primitives"][0]["extensions"] = {{extension, {{"bufferView", 0}}}};
+      for (nlohmann::json& accessor : file["accessors"])
+      {
+        accessor.erase("bufferView");
+      }
+      folder.write("a.gltf", file.dump());
+      this->expectRefused("a.gltf", "needs the extension " + extension);
+      file["meshes"][0]["primitives"][0].erase("indices");
+      folder.write("a.gltf", file.dump());
+      if (extension == "KHR_draco_mesh_compression")
+      {
+        this->expectRefused("a.gltf", "needs the extension " + extension);
+      }
+    }
+  }
+}
+
+/// Weights of joints may have any sum, and there may be more than four for a vertex.
+TEST_F(PieceFiles, OfGltfFollowTheJointsOfASkin)
+{
+  // Two joints, 4 and 6 further along x. Half of the corners follow the first, the other half both.
+  std::vector<std::uint8_t> joints;
+  std::vector<float> weights, more;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    joints.insert(joints.end(), {0, 1, 0, 0});
+    const bool isFirst = corner < 4;
+    weights.insert(weights.end(), {isFirst ? 0.25F : 0.5F, 0, 0, 0});
+    more.insert(more.end(), {0, isFirst ? 0.F : 0.5F, 0, 0});
+  }
+  const std::string buffer = cubeBuffer() + bytesOf(joints) + bytesOf(weights) + bytesOf(more);
+  folder.write("cube.bin", buffer);
+  nlohmann::json file = nlohmann::json::parse(gltfOf(R"(,"uri":"cube.bin")"));
+  file["buffers"][0]["byteLength"] = buffer.size();
+  std::size_t at = 168;
+  for (const std::size_t bytes : {joints.size(), 4 * weights.size(), 4 * more.size()})
+  {
+    const std::size_t view = file["bufferViews"].size();
+    file["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", at}, {"byteLength", bytes}});
+    file["accessors"].push_back({{"bufferView", view}, {"count", 8}, {"type", "VEC4"},
+      {"componentType", bytes == joints.size() ? 5121 : 5126}});
+    at += bytes;
+  }
+  nlohmann::json& attributes = file["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] = attributes["JOINTS_1"] = 2;
+  attributes["WEIGHTS_0"] = 3;
+  attributes["WEIGHTS_1"] = 4;
+  file["nodes"] = {
+    {{"mesh", 0}, {"skin", 0}}, {{"translation", {4, 0, 0}}}, {{"translation", {6, 0, 0}}}};
+  file["skins"] = {{{"joints", {1, 2}}}};
+  file["scenes"][0]["nodes"] = {0, 1, 2};
+  folder.write("a.gltf", file.dump());
+  const nlohmann::json report = this->check("a.gltf");
+  EXPECT_EQ(report["bbox"], (std::vector<double>{4, 0, 0, 6, 1, 1})) << "4 and 5, and 1 wide";
+  EXPECT_NEAR(report["volume"], 1, 1e-12);
+  file["scenes"][0]["nodes"] = {0}; // joints need not be seen
+  folder.write("a.gltf", file.dump());
+  EXPECT_EQ(this->check("a.gltf")["bbox"], report["bbox"]);
+}
+
+/// Colours of vertices are bytes, whatever numbers they are. Other blocks are white, as glTF says.
+TEST_F(PieceFiles, OfGltfKeepTheColorsOfVertices)
+{
+  for (const int type : {5121, 5123, 5126})
+  {
+    for (const bool hasAlpha : {false, true})
+    {
+      std::string colors;
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const std::vector<double> shares = {1, 0, 0.2, 0.4};
+        for (std::size_t i = 0; i < (hasAlpha ? 4 : 3); ++i)
+        {
+          const auto whole = static_cast<std::uint16_t>(std::lround(65535 * shares[i]));
+          colors += type == 5121   ? std::string(1, static_cast<char>(std::lround(255 * shares[i])))
+                    : type == 5123 ? bytesOf<std::uint16_t>({whole})
+                                   : bytesOf<float>({static_cast<float>(shares[i])});
+        }
+      }
+      const std::string buffer = cubeBuffer() + colors;
+      folder.write("cube.bin", buffer);
+      nlohmann::json file = nlohmann::json::parse(gltfOf(R"(,"uri":"cube.bin")"));
+      file["buffers"][0]["byteLength"] = buffer.size();
+      file["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", 168}, {"byteLength", colors.size()}});
+      file["accessors"].push_back({{"bufferView", 2}, {"count", 8}, {"componentType", type},
+        {"type", hasAlpha ? "VEC4" : "VEC3"}, {"normalized", type != 5126}});
+      file["meshes"].push_back(file["meshes"][0]);
+      file["meshes"][1]["primitives"][0]["attributes"]["COLOR_0"] = 2;
+      file["nodes"][2]["mesh"] = 1;
+      const std::string in = folder.write("a.gltf", file.dump()), out = folder.path("out.vtp");
+      const Outcome run = runProgram({"surface", in, "-o", out, "--resolution", "20",
+        "--transfer-attributes", "--overwrite", "--nearest-cells"});
+      ASSERT_EQ(run.status, 0) << run;
+      const std::string name = hasAlpha ? "RGBA" : "RGB";
+      EXPECT_NE(run.err.find(name + " is white there"), std::string::npos) << run;
+      vtkNew<vtkXMLPolyDataReader> reader;
+      reader->SetFileName(out.c_str());
+      reader->Update();
+      vtkPointData* const points = reader->GetOutput()->GetPointData();
+      ASSERT_TRUE(points->GetScalars());
+      EXPECT_EQ(points->GetScalars()->GetName(), name);
+      const std::vector<double> expected = {255, 0, 51, 102};
+      for (vtkIdType n = 0; n < points->GetNumberOfTuples(); ++n)
+      {
+        const bool isColored = points->GetArray("NearestBlock")->GetTuple1(n) == 2;
+        for (int i = 0; i < (hasAlpha ? 4 : 3); ++i)
+        {
+          ASSERT_EQ(points->GetScalars()->GetComponent(n, i),
+            isColored ? expected[static_cast<std::size_t>(i)] : 255);
+        }
+      }
+    }
+  }
+}
+
 TEST_F(PieceFiles, HaveNoWallsAtTheirSeams)
 {
   // Two boxes of cells that touch, each with points of its own.
@@ -439,8 +572,8 @@ TEST_F(PieceFiles, ThatAreDamagedOrOfNewerFormatsAreRefused)
   image.insert(
     image.find("<ImageData") + 10, R"( WholeExtent="0 0 0 0 0 0" Origin="0 0 0" Spacing="1 1 1")");
   folder.write("image.vti", image);
-  this->expectRefused("cut.vtm", "Error parsing XML");
-  this->expectRefused("cut.pvtp", "Error parsing XML");
+  this->expectRefused("cut.vtm", "is no whole XML at line ");
+  this->expectRefused("cut.pvtp", "is no whole XML at line ");
   this->expectRefused("newer.vtm", "was written by a newer VTK, format 9.7");
   this->expectRefused("itself.vtm", "itself.vtm");
   this->expectRefused("image.vtm", "holds vtkImageData");

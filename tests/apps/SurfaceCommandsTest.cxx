@@ -128,7 +128,7 @@ TEST_P(SurfaceCommands, FacesThatLookInwardAreToldWithTheRemedyFirst)
   const auto messageOf = [&](const std::vector<std::string>& more)
   {
     std::vector<std::string> arguments = {
-      GetParam(), in, "-o", folder.path("out.vtp"), "--resolution", "12"};
+      GetParam(), in, "-o", folder.path("out.vtp"), "--resolution", "12", "--as-is"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome run = runProgram(arguments);
     EXPECT_EQ(run.status, 0) << run;
@@ -163,7 +163,7 @@ TEST(SurfaceCommand, EmptySurfacesAreToldWithRemedies)
   const auto messageOf = [&](const std::vector<std::string>& more)
   {
     std::vector<std::string> arguments = {
-      "surface", in, "-o", folder.path("out.vtp"), "--resolution", "8"};
+      "surface", in, "-o", folder.path("out.vtp"), "--resolution", "8", "--as-is"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome run = runProgram(arguments);
     EXPECT_EQ(run.status, 0) << run;
@@ -192,14 +192,15 @@ TEST_P(SurfaceCommands, TheOptionThatAWarningNamesTurnsFacesThatLookInward)
   }
   in = folder.write("inward.off", asOff(mesh));
   const std::string out = folder.path("out.vtp");
-  const std::string warning = runProgram({GetParam(), in, "-o", out, "--resolution", "12"}).err;
+  const std::string warning =
+    runProgram({GetParam(), in, "-o", out, "--resolution", "16", "--as-is"}).err;
   const std::string before = "turn the faces (";
   const std::size_t begin = warning.find(before);
   ASSERT_NE(begin, std::string::npos) << warning;
   const std::string option =
     warning.substr(begin + before.size(), warning.find(')', begin) - begin - before.size());
   const Outcome run =
-    runProgram({GetParam(), in, "-o", out, "--resolution", "12", "--json", option});
+    runProgram({GetParam(), in, "-o", out, "--resolution", "16", "--json", option});
   EXPECT_EQ(run.status, 0) << run;
   EXPECT_EQ(run.err, "");
   EXPECT_GT(run.json()["output"]["cells"], 0);
@@ -270,6 +271,29 @@ TEST(SurfaceCommand, NeedsTwoSamplesAlongEachAxis)
     runProgram({"surface", in, "-o", folder.path("out.vtp"), "--dims", "8", "1", "8"});
   EXPECT_EQ(run.status, 2) << run;
   EXPECT_TRUE(run.saysInOneLine({"one voxel along y"})) << run;
+}
+
+/// A cube whose faces lie along the grid, by each way to say how many voxels there are.
+TEST(SurfaceCommand, OfFewVoxelsIsClosed)
+{
+  const TemporaryFolder folder;
+  const std::string in = folder.write("cube.obj",
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  for (const std::vector<std::string>& voxels :
+    std::vector<std::vector<std::string>>{{"--resolution", "5"}, {"--resolution", "10"},
+      {"--resolution", "21"}, {"--voxel-size", "0.2"}, {"--dims", "9", "7", "12"}})
+  {
+    const std::string out = folder.path("out.ply");
+    std::vector<std::string> arguments = {"surface", in, "-o", out, "--features", "sharp"};
+    arguments.insert(arguments.end(), voxels.begin(), voxels.end());
+    const Outcome run = runProgram(arguments);
+    EXPECT_EQ(run.status, 0) << run;
+    EXPECT_EQ(run.err.find("closed"), std::string::npos) << run;
+    const nlohmann::json report = runProgram({"check", out, "--json"}).json();
+    EXPECT_EQ(report["closed"], true) << run;
+    EXPECT_NEAR(report["volume"].get<double>(), 1, 1e-6) << run;
+  }
 }
 
 /// A contour of the array Inside would have steps of half a voxel, which add a tenth to the area.
@@ -355,7 +379,7 @@ TEST_F(ShapeCommand, MovesAndMakesShells)
   const Outcome run =
     runProgram({"surface", shell, "-o", folder.path("solid.ply"), "--fill-cavities"});
   EXPECT_EQ(run.status, 0) << run;
-  EXPECT_NE(run.out.find("1 cavities filled"), std::string::npos) << run;
+  EXPECT_NE(run.out.find("1 cavity filled"), std::string::npos) << run;
   const Outcome told = runProgram(
     {"surface", in, "-o", folder.path("o.ply"), "--offset", "0.1", "--fidelity", "100", "--json"});
   EXPECT_LT(told.json()["fidelity"]["largest_shape_error"], 0.02) << told;

@@ -109,8 +109,8 @@ TEST_F(WriteOutput, FormatsOfSinglePrecisionAreNotTrustedWithMore)
   for (const std::string suffix : {".stl", ".ply"})
   {
     const std::string out = folder.path("out" + suffix);
-    const std::vector<std::string> commands[] = {{"surface", far, "-o", out, "--resolution", "8"},
-      {"surface", below, "-o", out, "--resolution", "8"},
+    const std::vector<std::string> commands[] = {{"surface", far, "-o", out, "--resolution", "16"},
+      {"surface", below, "-o", out, "--resolution", "16"},
       {"check", far, "--fix-orientation", "-o", out}};
     for (const auto& command : commands)
     {
@@ -120,7 +120,7 @@ TEST_F(WriteOutput, FormatsOfSinglePrecisionAreNotTrustedWithMore)
     }
     for (const std::string& mesh : {large, small, beyond})
     {
-      const Outcome refused = runProgram({"surface", mesh, "-o", out, "--resolution", "8"});
+      const Outcome refused = runProgram({"surface", mesh, "-o", out, "--resolution", "16"});
       EXPECT_EQ(refused.status, 2) << refused;
       EXPECT_TRUE(refused.saysInOneLine({out, "single precision", ".vtp"})) << refused;
     }
@@ -128,7 +128,7 @@ TEST_F(WriteOutput, FormatsOfSinglePrecisionAreNotTrustedWithMore)
   for (const std::string& mesh : {far, large, small})
   {
     const Outcome whole =
-      runProgram({"surface", mesh, "-o", folder.path("out.vtp"), "--resolution", "8"});
+      runProgram({"surface", mesh, "-o", folder.path("out.vtp"), "--resolution", "16"});
     EXPECT_EQ(whole.status, 0) << whole;
     EXPECT_EQ(whole.err, "");
   }

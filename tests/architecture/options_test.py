@@ -19,7 +19,8 @@ from options import options_in  # noqa: E402
 # Panels may begin with another value than a property, where a picture is what their users want.
 OTHER_DEFAULTS = {("WindingNumberReport", "FaultThickness"),
                   ("WindingNumberAlgorithm", "LongestExpectedTime"),
-                  ("WindingNumberGridAlgorithm", "Resolution"),
+                  ("WindingNumberSurface", "Resolution"),
+                  ("WindingNumberBoolean", "Resolution"),
                   ("WindingNumberAlgorithm", "EstimateNormals"),
                   ("WindingNumberNormals", "EstimateNormals")}
 # Several classes have properties of these names, which mean different things.
@@ -140,6 +141,8 @@ def check_panels(root, options):
                 label = element.get("label") or re.sub(
                     r"(?<=[a-z])(?=[A-Z])", " ", element.get("name"))
                 label = re.sub("^Source As", "Input As", label)  # filters with a Source say so
+                if element.get("panel_visibility") == "advanced":
+                    label += "*"
                 if option.property not in AMBIGUOUS and option.label != label:
                     yield f"{where}: the label is {label}, in the list {option.label}"
                 value = element.get("default_values")

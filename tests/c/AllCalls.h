@@ -317,11 +317,18 @@ inline const Call allCalls[] = {
   {"winding_lay_out_grid",
     [](Arguments& a)
     {
-      auto request = with(winding_grid_request_init);
-      std::fill_n(request.sampling_bounds, 6, 0.0);
-      request.sampling_bounds[1] = request.sampling_bounds[3] = request.sampling_bounds[5] = 1;
+      const auto request = requestAround({0, 0, 0}, {1, 1, 1});
       winding_grid grid;
       return winding_lay_out_grid(&request, &a.run, &grid, &a.refusal);
+    }},
+  {"winding_wall_resolution",
+    [](Arguments& a)
+    {
+      const auto request = requestAround({0, 0, 0}, {1, 1, 1});
+      int32_t resolution;
+      char reason[200];
+      return winding_wall_resolution(a.field.get(), &request, &a.rule, 1, &a.run, &resolution,
+        reason, sizeof reason, &a.refusal);
     }},
   {"winding_read",
     [](Arguments& a)

@@ -57,16 +57,23 @@ inline Field fieldOf(const shapes::Mesh& mesh, const winding_options* options = 
   return {field, winding_field_free};
 }
 
-/// A grid around a box.
-inline winding_grid gridAround(const shapes::Point& low, const shapes::Point& high, int resolution)
+/// A wish for a grid around a box.
+inline winding_grid_request requestAround(const shapes::Point& low, const shapes::Point& high)
 {
   auto request = with(winding_grid_request_init);
-  request.resolution = resolution;
   for (int axis = 0; axis < 3; ++axis)
   {
     request.sampling_bounds[2 * axis] = low[axis];
     request.sampling_bounds[2 * axis + 1] = high[axis];
   }
+  return request;
+}
+
+/// A grid around a box.
+inline winding_grid gridAround(const shapes::Point& low, const shapes::Point& high, int resolution)
+{
+  auto request = requestAround(low, high);
+  request.resolution = resolution;
   winding_grid grid;
   EXPECT_EQ(winding_lay_out_grid(&request, nullptr, &grid, nullptr), WINDING_OK);
   return grid;

@@ -58,6 +58,22 @@ TEST(EstimatedNormals, LookTowardWhereThePointsWereSeenFrom)
     const Point normal(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]);
     EXPECT_LT(normal.dot(ball.points[i]), -0.99);
   }
+  // Each point may have a place.
+  options.toward = nullptr;
+  options.look_at_viewpoints = 1;
+  for (std::size_t i = 0; i < ball.points.size(); ++i)
+  {
+    Eigen::Map<Eigen::Vector3f>(normals.data() + 3 * i) = ball.points[i].cast<float>();
+  }
+  ASSERT_EQ(winding_estimate_normals(
+              arrayOf(ball.points), &options, nullptr, normals.data(), nullptr, &estimate, nullptr),
+    WINDING_OK);
+  EXPECT_EQ(estimate.normal_estimation, WINDING_NORMAL_ESTIMATION_TOWARD);
+  for (std::size_t i = 0; i < ball.points.size(); ++i)
+  {
+    const Point normal(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]);
+    EXPECT_GT(normal.dot(ball.points[i]), 0.99);
+  }
   options.toward = "upward";
   winding_refusal refusal;
   EXPECT_EQ(winding_estimate_normals(

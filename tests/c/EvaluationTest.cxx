@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Calls.h"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -18,10 +20,10 @@ using shapes::Point;
 
 TEST(Grids, AreLaidOutAsWished)
 {
-  const winding_grid grid = gridAround({0, 0, 0}, {2, 1, 1}, 20);
-  EXPECT_EQ(grid.dimensions[0], 20);
+  const winding_grid grid = gridAround({0, 0, 0}, {2, 1, 1}, 22);
+  EXPECT_EQ(grid.dimensions[0], 22);
   EXPECT_EQ(grid.spacing[0], grid.spacing[1]);
-  EXPECT_NEAR(grid.spacing[0], 0.11, 1e-12);
+  EXPECT_NEAR(grid.spacing[0], 0.1, 1e-12);
 
   auto request = with(winding_grid_request_init);
   winding_grid none;
@@ -35,6 +37,27 @@ TEST(Grids, AreLaidOutAsWished)
   request.sampling_dimensions[1] = 3;
   EXPECT_EQ(winding_lay_out_grid(&request, nullptr, &none, &refusal), WINDING_REFUSED);
   EXPECT_STREQ(refusal.parameter, "sampling_dimensions");
+}
+
+TEST(Grids, HaveTheVoxelsThatWallsAskFor)
+{
+  const Field plate = fieldOf(shapes::cube({0, 0, 0}, {1, 1, 0.008}));
+  const auto request = requestAround({0, 0, 0}, {1, 1, 0.008});
+  EXPECT_EQ(request.resolution, 128);
+  int32_t resolution = 0;
+  char reason[200];
+  const auto find = [&](const winding_field* field, int32_t* found, char* why, size_t size)
+  {
+    return winding_wall_resolution(field, &request, nullptr, 0, nullptr, found, why, size, nullptr);
+  };
+  EXPECT_EQ(find(plate.get(), &resolution, reason, sizeof reason), WINDING_OK);
+  EXPECT_EQ(resolution, 210); // 1.1 · 1.5 / 0.008 = 206
+  EXPECT_EQ(std::string(reason).rfind("resolution 210, since about 9", 0), 0u) << reason;
+  EXPECT_EQ(find(plate.get(), &resolution, reason, 4), WINDING_OK);
+  EXPECT_STREQ(reason, "res");
+  EXPECT_EQ(find(plate.get(), &resolution, nullptr, 0), WINDING_OK);
+  EXPECT_EQ(find(nullptr, &resolution, reason, sizeof reason), WINDING_MISUSED);
+  EXPECT_EQ(find(plate.get(), nullptr, reason, sizeof reason), WINDING_MISUSED);
 }
 
 TEST(Grids, HaveTheSameBitsInParts)

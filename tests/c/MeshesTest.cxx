@@ -102,6 +102,41 @@ TEST(LevelSurface, LiesOnTheSourceAndIsClosed)
   EXPECT_GT(fidelity.largest_to_source, 0);
 }
 
+TEST(LevelSurface, IsOfAMendedSourceUnlessThatIsSwitchedOff)
+{
+  std::vector<std::string> notes;
+  auto run = with(winding_run_init);
+  run.user = &notes;
+  run.warn = [](const char* text, void* user)
+  {
+    static_cast<std::vector<std::string>*>(user)->emplace_back(text);
+  };
+  const winding_grid grid = gridAround({-0.3, -0.3, -0.3}, {1.3, 1.3, 1.3}, 20);
+  auto options = with(winding_surface_options_init);
+  EXPECT_EQ(options.mend_source, 1);
+  const Mesh box = shapes::cube(), half = box.part(0, 6).reversed().with(box.part(6, 12));
+  auto ofField = with(winding_options_init);
+  EXPECT_EQ(ofField.mend_source, 0);
+  ofField.mend_source = 1;
+  const std::string words = "faces were turned: have it as it came (mend_source = 0)";
+  for (const Mesh& mesh : {box.reversed(), half})
+  {
+    for (const winding_options* given : {static_cast<winding_options*>(nullptr), &ofField})
+    {
+      // Without the option the field itself says what is wrong with it, too.
+      const Field field = fieldOf(mesh, given, given ? &run : nullptr);
+      const OwnedMesh made = surfaceOf(field, grid, options, &run);
+      EXPECT_NEAR(closedVolumeOf(show(made)), 1, 0.02);
+      ASSERT_EQ(notes.size(), 1u);
+      EXPECT_EQ(notes[0].rfind(words, 0), 0u) << notes[0];
+      notes.clear();
+    }
+  }
+  options.mend_source = 0;
+  const OwnedMesh inward = surfaceOf(fieldOf(box.reversed()), grid, options);
+  EXPECT_EQ(show(inward).polygon_count, 0);
+}
+
 TEST(LevelSurface, KeepsEdgesIfItIsSharp)
 {
   const Field field = fieldOf(shapes::cube());
@@ -123,14 +158,14 @@ TEST(LevelSurface, HasTheSidesOfVoxels)
   auto options = with(winding_surface_options_init);
   options.features = WINDING_FEATURES_VOXELS;
   const OwnedMesh voxels = surfaceOf(field, grid, options);
-  EXPECT_EQ(show(voxels).polygon_count, 6 * 10 * 10);
-  EXPECT_NEAR(closedVolumeOf(show(voxels)), std::pow(10 * grid.spacing[0], 3), 1e-5);
+  EXPECT_EQ(show(voxels).polygon_count, 6 * 8 * 8);
+  EXPECT_NEAR(closedVolumeOf(show(voxels)), std::pow(8 * grid.spacing[0], 3), 1e-5);
   EXPECT_EQ(show(voxels).inside, nullptr);
   options.generate_image = 1;
   const OwnedMesh withImage = surfaceOf(field, grid, options);
   const winding_mesh_arrays arrays = show(withImage);
   ASSERT_EQ(arrays.sample_count, 16 * 16 * 16);
-  EXPECT_EQ(std::count(arrays.inside, arrays.inside + arrays.sample_count, 1), 10 * 10 * 10);
+  EXPECT_EQ(std::count(arrays.inside, arrays.inside + arrays.sample_count, 1), 8 * 8 * 8);
   EXPECT_EQ(arrays.inside[0], 0);
   EXPECT_EQ(arrays.inside[8 + 16 * (8 + 16 * 8)], 1);
   options.features = WINDING_FEATURES_VOXELS + 1;
@@ -172,6 +207,9 @@ TEST(LevelSurface, MovesAndBecomesAShell)
   const OwnedMesh filled = surfaceOf(hollow, grid, options);
   EXPECT_NEAR(closedVolumeOf(show(filled)), 1 - 0.125, 1e-6);
   EXPECT_EQ(show(filled).filled_cavities, 1);
+  EXPECT_EQ(show(filled).is_closed, 1);
+  EXPECT_EQ(show(filled).part_count, 1);
+  EXPECT_GT(show(filled).volume, show(filled).input_volume);
   EXPECT_EQ(show(filled).distances_from, WINDING_DISTANCES_FROM_SURFACE);
 
   Warnings told;
@@ -194,6 +232,7 @@ TEST(LevelSurface, SaysThatItIsOpenAtTheBorder)
   const winding_grid grid = gridAround({-1, -1, -1}, {5, 5, 5}, 8);
   Warnings told;
   auto options = with(winding_surface_options_init);
+  options.mend_source = 0;
   const OwnedMesh open = surfaceOf(field, grid, options, &told.run);
   EXPECT_GT(show(open).polygon_count, 0);
   ASSERT_EQ(told.texts.size(), 1u);
@@ -212,6 +251,7 @@ TEST(LevelSurface, SaysWhyItIsEmpty)
   const winding_grid grid = gridAround({0, 0, 0}, {1, 1, 1}, 5);
   Warnings told;
   auto options = with(winding_surface_options_init);
+  options.mend_source = 0;
   const OwnedMesh none = surfaceOf(field, grid, options, &told.run);
   EXPECT_EQ(show(none).polygon_count, 0);
   ASSERT_EQ(told.texts.size(), 1u);
@@ -288,8 +328,11 @@ TEST(Boolean, HasARuleForEachSolidAndNeedsTwo)
     return closedVolumeOf(show(owned));
   };
   std::vector<std::string> texts;
+  EXPECT_NEAR(volumeOf(WINDING_OPERATION_UNION, texts), 2, 1e-6);
+  ASSERT_EQ(texts.size(), 1u); // the second one is turned
+  options.mend_source = 0;
   EXPECT_NEAR(volumeOf(WINDING_OPERATION_UNION, texts), 1, 1e-6);
-  ASSERT_EQ(texts.size(), 1u); // the second one is inside out
+  ASSERT_EQ(texts.size(), 1u); // it is inside out
   rules[1].inside_rule = WINDING_INSIDE_RULE_ABSOLUTE;
   EXPECT_NEAR(volumeOf(WINDING_OPERATION_UNION, texts), 2, 1e-6);
   EXPECT_EQ(texts.size(), 0u);

@@ -144,11 +144,13 @@ TEST(Labels, OfOpenPartsNeedNoVoxel)
   std::vector<std::uint16_t> labels(sizeOf(grid));
   auto arrays = with(winding_labels_init);
   arrays.labels = labels.data();
+  auto asIs = with(winding_label_options_init);
+  asIs.mend_source = 0;
   const auto warnings = [&]
   {
     Warnings told;
     EXPECT_EQ(winding_label(
-                fields, nullptr, 2, &grid, nullptr, nullptr, nullptr, &arrays, &told.run, nullptr),
+                fields, nullptr, 2, &grid, nullptr, nullptr, &asIs, &arrays, &told.run, nullptr),
       WINDING_OK);
     return told.texts;
   };
@@ -180,8 +182,10 @@ TEST(Labels, ThatAreMissingInPartAreTold)
   Warnings told;
   auto arrays = with(winding_labels_init);
   arrays.labels = labels.data();
-  ASSERT_EQ(winding_label(
-              fields, nullptr, 2, &grid, nullptr, nullptr, nullptr, &arrays, &told.run, nullptr),
+  auto asIs = with(winding_label_options_init);
+  asIs.mend_source = 0;
+  ASSERT_EQ(
+    winding_label(fields, nullptr, 2, &grid, nullptr, nullptr, &asIs, &arrays, &told.run, nullptr),
     WINDING_OK);
   ASSERT_EQ(told.texts.size(), 3u);
   EXPECT_NE(told.texts[0].find("1 of 2 solids ('1')"), std::string::npos) << told.texts[0];

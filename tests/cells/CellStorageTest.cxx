@@ -398,7 +398,7 @@ TEST_P(CellStorage, MakesNoDifferenceToSums)
     {
       vtkNew<vtkWindingNumberField> field;
       field->SetInputData(source);
-      field->SetResolution(12);
+      field->SetResolution(14);
       field->SetMethod(vtkWindingNumberField::DIRECT);
       field->SetOutputScalarTypeToDouble();
       return outputsOf(field);
@@ -508,7 +508,7 @@ TEST_P(CellStorage, MakesNoDifferenceToAreasAndClouds)
       vtkNew<vtkWindingNumberField> field;
       field->SetInputData(source);
       field->SetSourceAsPoints(true);
-      field->SetResolution(12);
+      field->SetResolution(14);
       const Numbers ofCloud = outputsOf(field);
       numbers.insert(numbers.end(), ofCloud.begin(), ofCloud.end());
       return numbers;

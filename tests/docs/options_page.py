@@ -20,7 +20,8 @@ program `winding` and in Python. Members of structs in C have most of these name
 `fill_cavities`. An empty place means that a front end has no name for it, or that it is an
 argument of a function or another command: `boolean(…, "union")`. Not every filter and command has
 every option: panels, `--help` and the [reference](reference.md) show what one of them has. Panels
-begin with other values for a few. This page is made of `filters/Options.def`.
+show options with a \\* among the advanced ones, behind the gear, and begin with other values for a
+few. This page is made of `filters/Options.def`.
 """
 HEAD = """
 | option | default | C++ | ParaView | program | Python |
@@ -44,8 +45,8 @@ def row_of(option):
     text = option.help + (": " + ", ".join(words) if len(words) > 1 else "")
     if option.unit and option.unit not in text.lower():
         text += f" [{option.unit}]"
-    names = [f"`{option.property}`", option.label, option.option and f"`{option.option}`",
-             option.keyword and f"`{option.keyword}`"]
+    names = [f"`{option.property}`", option.label.replace("*", "\\*"),
+             option.option and f"`{option.option}`", option.keyword and f"`{option.keyword}`"]
     return re.sub(" +", " ", f"| {' | '.join([text, default_of(option), *names])} |\n")
 
 

@@ -274,6 +274,7 @@ SolidShape randomShape(Choices& choices, double unit)
 {
   SolidShape shape;
   shape.fillsCavities = choices.oneIn(3);
+  shape.gapWidth = choices.oneIn(2) ? 0 : choices.between(0, 3) * unit;
   shape.offset = choices.oneIn(2) ? 0 : choices.between(-3, 3) * unit;
   shape.shell = choices.oneIn(2) ? 0 : choices.between(0, 3) * unit;
   shape.shellSide = static_cast<ShellSide>(choices.below(3));
@@ -360,9 +361,10 @@ std::string checkShape(Choices& choices)
   std::unique_ptr<const FilledCavities> filled;
   if (shape.fillsCavities)
   {
-    filled = std::make_unique<const FilledCavities>(solid.edges, solid.roots, grid, serial);
+    filled = std::make_unique<const FilledCavities>(
+      solid.edges, solid.roots, grid, shape.gapWidth, &solid.field->distanceTree(serial), serial);
   }
-  const LevelEdges& own = filled ? filled->edges : solid.edges;
+  const LevelEdges& own = filled ? *filled->edges : solid.edges;
   const DistanceBand band = shape.band();
   const double size = (grid.spacing.cwiseProduct(grid.dimensions.cast<double>())).norm() +
                       grid.firstSample.cwiseAbs().maxCoeff();

@@ -8,6 +8,7 @@
 #include "report/SurfaceReport.h"
 #include "source/CoordinateOrder.h"
 #include "source/Sanitize.h"
+#include "sums/ReferenceSum.h"
 #include "support/Serial.h"
 #include "surface/CanonicalOrder.h"
 #include "surface/Orientation.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <sstream>
 
 /**
  * @file
@@ -33,13 +35,7 @@ using shapes::serial;
 
 Surface turned(Surface surface, const std::vector<char>& isTurned)
 {
-  for (std::size_t i = 0; i < isTurned.size(); ++i)
-  {
-    if (isTurned[i])
-    {
-      std::swap(surface.triangles[i][1], surface.triangles[i][2]);
-    }
-  }
+  turn(surface, isTurned);
   return surface;
 }
 
@@ -231,12 +227,74 @@ std::string checkHoles(Choices& choices)
                                                : "boxes with holes do not stay as they are";
 }
 
+/// Checks that boxes which overlap and share faces keep their inside, also where one fills a cavity
+/// of another. A box inside of another is a nested solid, which Orientation.h makes a cavity.
+std::string checkUnion(Choices& choices)
+{
+  constexpr int size = 5;
+  std::vector<Bounds> boxes;
+  Mesh mesh;
+  for (int n = 2 + choices.below(3); n > 0; --n)
+  {
+    Bounds box;
+    for (int corner = 0; corner < 2; ++corner)
+    {
+      const int x = choices.below(size + 1), y = choices.below(size + 1);
+      box.extend(shapes::Point(x, y, choices.below(size + 1)));
+    }
+    if ((box.sizes().array() == 0).any())
+    {
+      continue;
+    }
+    for (const Bounds& other : boxes)
+    {
+      if (other.contains(box) || box.contains(other))
+      {
+        return {};
+      }
+    }
+    boxes.push_back(box);
+    mesh = mesh.with(shapes::cube(box.min(), box.max()));
+  }
+  if (choices.oneIn(2))
+  {
+    const shapes::Point low(10, 0, 0), one(1, 1, 1);
+    const Mesh core = shapes::cube(low + one, low + 2 * one);
+    mesh = mesh.with(shapes::cube(low, low + 3 * one)).with(core.reversed()).with(core);
+  }
+  if (mesh.triangles.empty())
+  {
+    return {};
+  }
+  const Surface surface = shapes::clean(mesh);
+  const Orientation found = orient(surface, {}, serial);
+  Surface result = surface;
+  apply(found, result);
+  for (int n = 0; n < 14 * size * size; ++n)
+  {
+    const shapes::Point place(n % 14 + 0.5, n / 14 % size + 0.5, n / 14 / size + 0.5);
+    const bool isInside = referenceSum<double>(surface, place) > 0.5;
+    if ((referenceSum<double>(result, place) > 0.5) != isInside)
+    {
+      std::ostringstream text;
+      text << "boxes that share faces do not keep their inside at " << place.transpose() << ":";
+      for (const Bounds& box : boxes)
+      {
+        text << " (" << box.min().transpose() << ") to (" << box.max().transpose() << ")";
+      }
+      return text.str();
+    }
+  }
+  return checkOrder(surface, found, choices);
+}
+
 } // namespace
 
 std::string checkOrientation(Choices& choices)
 {
   return choices.oneIn(3)   ? checkSolid(choices)
          : choices.oneIn(3) ? checkHoles(choices)
+         : choices.oneIn(3) ? checkUnion(choices)
                             : checkAny(choices);
 }
 

@@ -259,6 +259,7 @@ void drawSurface(Choices& choices, vtkPointSet* data)
   filter->SetGenerateTriangles(choices.oneIn(2));
   filter->SetCloseBorder(choices.oneIn(2));
   filter->SetFillCavities(choices.oneIn(4));
+  filter->SetGapWidth(choices.oneIn(2) ? 0 : choices.between(0, 0.5));
   filter->SetOffset(choices.oneIn(3) ? choices.between(-1, 1) : 0);
   filter->SetShell(choices.oneIn(3) ? choices.between(0, 1) : 0);
   filter->SetShellSide(choices.below(3));

@@ -147,6 +147,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   smooth->SetShell(choices.oneIn(2) ? choices.between(0, 1) : 0);
   smooth->SetShellSide(choices.below(3));
   smooth->SetFillCavities(choices.oneIn(2));
+  smooth->SetGapWidth(choices.oneIn(2) ? 0 : choices.between(0, 0.5));
   smooth->Update();
   checkSurface(smooth->GetOutput(), true, true);
   // The vertices of two patches in one cell may have one place.

@@ -45,6 +45,10 @@ protected:
     const std::vector<double> values(inside.begin(), inside.end());
     output.write(values.data(), 0, values.size());
   }
+  std::shared_ptr<const winding::Field> makeTurned(winding::Executor&) const override
+  {
+    throw std::logic_error("a field of bits has no source");
+  }
   std::unique_ptr<const winding::DistanceTree> makeDistanceTree(winding::Executor&) const override
   {
     throw std::logic_error("a field of bits has no source");

@@ -214,6 +214,35 @@ Mesh torus(int along, int around)
   return builder.mesh();
 }
 
+Mesh doubleWalls(const Mesh& outer, double wall, const std::vector<std::size_t>& openings)
+{
+  Mesh mesh = outer.with(outer.reversed().mapped([wall](const Point& p) { return wall * p; }));
+  const std::size_t faces = outer.triangles.size();
+  const auto count = static_cast<std::int32_t>(outer.points.size());
+  for (const std::size_t face : openings)
+  {
+    const std::array<std::int32_t, 3> t = outer.triangles[face];
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::int32_t a = t[i], b = t[(i + 1) % 3];
+      mesh.triangles.push_back({a, b, b + count});
+      mesh.triangles.push_back({a, b + count, a + count});
+    }
+  }
+  std::vector<std::array<std::int32_t, 3>> kept;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    const bool isOpen =
+      i < 2 * faces && std::find(openings.begin(), openings.end(), i % faces) != openings.end();
+    if (!isOpen)
+    {
+      kept.push_back(mesh.triangles[i]);
+    }
+  }
+  mesh.triangles = kept;
+  return mesh;
+}
+
 Mesh lathe(const std::vector<std::array<double, 2>>& profile, int corners)
 {
   Mesh mesh;

@@ -57,6 +57,9 @@ Mesh icosphere(int levels);
 Mesh ball(const Point& center, double radius, int levels = 2);
 /// A torus of radii 1 and 0.4 around the z axis.
 Mesh torus(int along, int around);
+/// A body of two walls: the faces of `outer` and, `wall` times as far from the origin, the same
+/// faces reversed. Tubes replace some of these faces, which are named by their number.
+Mesh doubleWalls(const Mesh& outer, double wall, const std::vector<std::size_t>& openings);
 /// A surface of revolution around z through circles of {radius, height}, open at its ends unless
 /// the radius is 0 there. It looks outward if heights ascend.
 Mesh lathe(const std::vector<std::array<double, 2>>& profile, int corners);

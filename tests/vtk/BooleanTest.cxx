@@ -18,6 +18,7 @@
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
@@ -365,6 +366,8 @@ TEST_F(Boolean, HasTheSameBitsForBlocksThreadsAndAgain)
   ASSERT_NE(names, nullptr);
   EXPECT_EQ(names->GetValue(0), "Input 1");
   EXPECT_EQ(names->GetValue(1), "tool");
+  EXPECT_STREQ(ofOnePort->GetOperandLegend(), "0\tInput 1\n1\ttool\n");
+  EXPECT_EQ(std::string(ofOnePort->GetSolidInWords()).rfind("1 part, volume ", 0), 0u);
 }
 
 TEST_F(Boolean, OfMoreThanTwo)
@@ -415,6 +418,7 @@ TEST_F(Boolean, RefusesByTheNameOfTheOperand)
   filter->SetInputDataObject(0, sphereAt(0));
   filter->SetInputDataObject(1, sphereCloud(500, 0));
   filter->SetOtherName(0, "tool");
+  filter->MendSourceOff();
   const ErrorLog log(filter);
   filter->Update();
   EXPECT_NE(log.errors().find("the points have no normals"), std::string::npos) << log.errors();
@@ -459,6 +463,7 @@ TEST_F(Boolean, IsNotCutOffWhereOperandsReachBeyondTheirSources)
   vtkNew<vtkReverseSense> reversed;
   reversed->SetInputData(boxOf(0.5, 1.5, 0.5, 1.5, 0.5, 1.5));
   reversed->Update();
+  filter->MendSourceOff();
   filter->SetOperandThreshold(1, -0.5);
   filter->SetFeatures(Filter::SHARP);
   this->made(boxOf(0, 1, 0, 1, 0, 1), reversed->GetOutput(), Filter::INTERSECTION);
@@ -498,6 +503,45 @@ TEST_F(Boolean, WarnsOfOperandsThatTheGridDoesNotShow)
   const std::string ofUnion = warningsOf(far, Filter::UNION);
   EXPECT_NE(ofUnion.find("nothing is inside of the result"), std::string::npos) << ofUnion;
   EXPECT_EQ(ofUnion.find("see whether the solids meet"), std::string::npos) << ofUnion;
+}
+
+/// An option for one operand is right; that none has a use for it is said once.
+TEST_F(Boolean, IsSilentAboutOptionsThatFitOneOperand)
+{
+  const auto warningsOf = [&](vtkDataObject* a, vtkDataObject* b)
+  {
+    filter->SetInputDataObject(0, a);
+    filter->SetInputDataObject(1, b);
+    filter->Modified();
+    const ErrorLog log(filter);
+    filter->Update();
+    EXPECT_EQ(log.errors(), "");
+    return log.warnings();
+  };
+  const auto times = [](const std::string& text, const std::string& words)
+  {
+    int count = 0;
+    for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1))
+    {
+      ++count;
+    }
+    return count;
+  };
+  const auto box = boxOf(-1, 1, -1, 1, -1, 1);
+  vtkNew<vtkPlaneSource> sheet;
+  sheet->SetOrigin(-2, -2, 0.1);
+  sheet->SetPoint1(2, -2, 0.1);
+  sheet->SetPoint2(-2, 2, 0.1);
+  sheet->Update();
+  filter->SetOperation(Filter::DIFFERENCE);
+  filter->SetSheetSide("down");
+  EXPECT_EQ(times(warningsOf(box, sheet->GetOutput()), "no use"), 0);
+  EXPECT_NEAR(volume(), 4 * 0.9, 0.1);
+  EXPECT_EQ(times(warningsOf(box, boxOf(0, 2, 0, 2, 0, 2)), "no use"), 1);
+  filter->SetSheetSide(nullptr);
+  filter->SetFlatBase("down");
+  EXPECT_EQ(times(warningsOf(box, sphereAt(0, 1.2, 90)), "closes nothing"), 0);
+  EXPECT_EQ(times(warningsOf(box, boxOf(0, 2, 0, 2, 0, 2)), "closes nothing"), 1);
 }
 
 TEST_F(Boolean, WarnsByTheNameOfTheOperand)

@@ -217,6 +217,7 @@ TEST(Completion, DividesSpaceAtASheet)
     vtkNew<vtkWindingNumberSurface> surface;
     surface->SetInputData(sheetAt(0.1, looksUp));
     surface->SetSheetSide("down");
+    surface->MendSourceOff();
     surface->SetUseInputBounds(0);
     const double bounds[6] = {-0.9, 0.9, -0.9, 0.9, -0.5, 0.5};
     surface->SetSamplingBounds(const_cast<double*>(bounds));

@@ -43,7 +43,7 @@ protected:
 
 TEST_F(FieldGrid, DefaultsAreTheDocumentedOnes)
 {
-  EXPECT_EQ(field->GetResolution(), 64);
+  EXPECT_EQ(field->GetResolution(), 128);
   EXPECT_EQ(field->GetVoxelSize(), 0);
   EXPECT_EQ(field->GetUseInputBounds(), 1);
   EXPECT_EQ(field->GetPadding(), 0.05);
@@ -61,15 +61,15 @@ TEST_F(FieldGrid, DefaultsAreTheDocumentedOnes)
 TEST_F(FieldGrid, VoxelsAreCubicAndCoverThePaddedBounds)
 {
   cube->SetYLength(0.4);
-  field->SetResolution(20);
+  field->SetResolution(24);
   field->Update();
   vtkImageData* image = field->GetOutput();
   int dimensions[3];
   image->GetDimensions(dimensions);
-  const double size = 1.1 / 20;
-  EXPECT_EQ(dimensions[0], 20);
-  EXPECT_EQ(dimensions[1], 10) << "0.4 and twice 0.05 are 9.1 voxels";
-  EXPECT_EQ(dimensions[2], 20);
+  const double size = 1.1 / 24;
+  EXPECT_EQ(dimensions[0], 24);
+  EXPECT_EQ(dimensions[1], 11) << "0.4 and twice 0.05 are 10.9 voxels";
+  EXPECT_EQ(dimensions[2], 24);
   for (int axis = 0; axis < 3; ++axis)
   {
     EXPECT_DOUBLE_EQ(image->GetSpacing()[axis], size);
@@ -95,8 +95,8 @@ TEST_F(FieldGrid, PointsAndCellsHoldTheSameValues)
   {
     ASSERT_EQ(a->GetTuple1(i), b->GetTuple1(i)) << i;
   }
-  EXPECT_NEAR(cells->GetBounds()[0], -0.55, 1e-15) << "cells are the voxels";
-  EXPECT_NEAR(points->GetBounds()[0], -0.5, 1e-15) << "points are their centres";
+  EXPECT_NEAR(cells->GetBounds()[0], -11. / 18, 1e-15) << "cells are the voxels";
+  EXPECT_NEAR(points->GetBounds()[0], -10. / 18, 1e-15) << "points are their centres";
 }
 
 TEST_F(FieldGrid, ValuesAreThoseOfTheCube)
@@ -143,7 +143,7 @@ TEST_F(FieldGrid, VoxelSizeWinsOverResolution)
   field->SetResolution(1000);
   field->SetVoxelSize(0.25);
   field->Update();
-  EXPECT_EQ(field->GetOutput()->GetDimensions()[0], 5); // 1.1 / 0.25 = 4.4
+  EXPECT_EQ(field->GetOutput()->GetDimensions()[0], 6); // (1 + 2 * 0.25) / 0.25
   EXPECT_EQ(field->GetOutput()->GetSpacing()[0], 0.25);
 }
 
@@ -276,8 +276,8 @@ TEST_F(FieldGrid, VerificationIsTheSameAsOftenAsItIsMade)
 
 TEST_F(FieldGrid, PropertiesThatMakeNoGridAreRefused)
 {
-  field->SetResolution(0);
-  expectRefused("Resolution is 0");
+  field->SetResolution(-1);
+  expectRefused("Resolution is -1");
   field->SetResolution(-5);
   expectRefused("Resolution is -5");
   field->SetResolution(8);

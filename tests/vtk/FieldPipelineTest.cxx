@@ -387,9 +387,9 @@ TEST_F(FieldPipeline, DataAskedForWithoutAGridIsRefused)
       {
         fresh->Update();
       }
-      fresh->SetResolution(isProperty ? 0 : 6);
+      fresh->SetResolution(isProperty ? -1 : 6);
       fresh->SetVoxelSize(isProperty ? 0 : 1e-10);
-      const char* const fault = isProperty ? "Resolution is 0" : "too many voxels";
+      const char* const fault = isProperty ? "Resolution is -1" : "too many voxels";
       {
         ErrorLog informationLog(fresh);
         fresh->UpdateInformation();

@@ -77,6 +77,7 @@ protected:
   {
     filter->SetInputConnection(inward->GetOutputPort());
     filter->SetResolution(12);
+    filter->MendSourceOff();
     expectAdvice(filter, true);
     filter->SetInsideRule(vtkWindingNumberAlgorithm::ABSOLUTE);
     expectAdvice(filter, false);
@@ -140,6 +141,7 @@ TEST_F(InsideOut, PartsAreToldWithTheirShare)
          static_cast<vtkWindingNumberGridAlgorithm*>(field)})
   {
     filter->SetInputConnection(both->GetOutputPort());
+    filter->MendSourceOff();
     for (const auto method : {vtkWindingNumberField::ROWS, vtkWindingNumberField::HIERARCHICAL})
     {
       filter->SetMethod(method);
@@ -275,6 +277,7 @@ TEST_F(InsideOut, SourcesOfPointsHaveNormals)
 {
   vtkNew<vtkWindingNumberSurface> surface;
   surface->SetInputData(sphereCloud(500, -1));
+  surface->MendSourceOff();
   surface->SetRegularization(1);
   surface->SetResolution(12);
   ErrorLog log(surface);

@@ -16,11 +16,14 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkTypeUInt64Array.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 namespace
@@ -392,8 +395,7 @@ TEST_F(LabelInputs, SeveralInputsInAnotherUnitAreTold)
 TEST_F(LabelInputs, PartsByConnectivityAreSolids)
 {
   const Surfaces balls = fiveBalls();
-  // The third has a pole less, and so more triangles. The others begin at x = -1, 0.4, -0.7, -0.15.
-  const auto expected = made(asAssembly({balls[2], balls[0], balls[3], balls[4], balls[1]}));
+  const auto expected = made(asAssembly({balls[0], balls[1], balls[2], balls[4], balls[3]}));
   EXPECT_EQ(made(appended(balls)), expected);
   EXPECT_EQ(made(appended({balls[4], balls[2], balls[3], balls[1], balls[0]})), expected);
   EXPECT_EQ(names()[1], "Part 2");
@@ -404,8 +406,8 @@ TEST_F(LabelInputs, ACavityBelongsToThePartAroundIt)
   const auto shell = ball(0, 0, 0, 1), wall = reversed(ball(0, 0, 0, 0.6));
   const auto core = ball(0, 0, 0, 0.3), other = ball(2.5, 0, 0, 0.7);
   const auto hollow = appended({shell, wall});
-  const auto expected = made(asAssembly({hollow, core, other}));
-  EXPECT_GT(std::count(expected.begin(), expected.end(), 2), 10);
+  const auto expected = made(asAssembly({hollow, other, core}));
+  EXPECT_GT(std::count(expected.begin(), expected.end(), 3), 10);
   EXPECT_EQ(made(appended({core, wall, other, shell})), expected);
   EXPECT_EQ(labels->GetNumberOfSolids(), 3);
 }
@@ -495,6 +497,48 @@ TEST_F(LabelInputs, PiecesOfABlockAreOneSolid)
   collection->SetPartition(1, 0, other);
   EXPECT_EQ(made(collection), expected);
   EXPECT_EQ(labels->GetNumberOfOpenSolids(), 0);
+  vtkNew<vtkPartitionedDataSet> inPieces;
+  inPieces->SetPartition(0, halves[0]);
+  inPieces->SetPartition(1, halves[1]);
+  const auto found = made(inPieces);
+  EXPECT_EQ(std::set<unsigned short>(found.begin(), found.end()), std::set<unsigned short>({0, 1}));
+  EXPECT_EQ(names(), std::vector<std::string>({"Block 1"}));
+  EXPECT_EQ(labels->GetNumberOfOpenSolids(), 0);
+}
+
+/// A side is for the open one of two solids, and is only told where none is open.
+TEST_F(LabelInputs, OptionsThatFitOneSolidAreNotTold)
+{
+  const Surfaces balls = fiveBalls();
+  labels->SetSheetSide("down");
+  made(asAssembly({balls[0], sphereOf(20, 20, 1, {9, 0, 0}, 90)}));
+  EXPECT_EQ(warnings.find("no part is open"), std::string::npos) << warnings;
+  made(asAssembly({balls[0], balls[1]}));
+  EXPECT_NE(warnings.find("has no use: no part is open"), std::string::npos) << warnings;
+  EXPECT_EQ(
+    warnings.find("no part is open", warnings.find("no part is open") + 1), std::string::npos)
+    << warnings;
+}
+
+/// Ids of 64 bits are told from each other by their last one.
+TEST_F(LabelInputs, RegionsMayBeBeyondWhatDoublesHold)
+{
+  const Surfaces balls = fiveBalls();
+  const auto surface = withRegions(balls, 1);
+  labels->SetRegionArray("Region");
+  const auto expected = made(surface);
+  constexpr vtkTypeInt64 first = (vtkTypeInt64(1) << 62) - 2;
+  vtkNew<vtkTypeInt64Array> large;
+  large->SetName("Region");
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    const double region = surface->GetCellData()->GetArray("Region")->GetTuple1(cell);
+    large->InsertNextValue(first + static_cast<vtkTypeInt64>(region));
+  }
+  surface->GetCellData()->AddArray(large);
+  EXPECT_EQ(made(surface), expected);
+  EXPECT_EQ(names()[0], "Region " + std::to_string(first + 1));
+  EXPECT_EQ(names()[4], "Region " + std::to_string(first + 5));
 }
 
 TEST_F(LabelInputs, WhatGivesNoLabelsIsRefusedInOneLine)
@@ -527,6 +571,15 @@ TEST_F(LabelInputs, WhatGivesNoLabelsIsRefusedInOneLine)
   numbers->Fill(1.5);
   broken->GetCellData()->AddArray(numbers);
   expectRefused(broken, "has the value 1.5");
+  vtkNew<vtkTypeUInt64Array> large;
+  large->SetName("Region");
+  large->SetNumberOfTuples(broken->GetNumberOfCells());
+  large->FillValue(std::numeric_limits<vtkTypeUInt64>::max());
+  broken->GetCellData()->AddArray(large);
+  expectRefused(broken, "has the value 1.84467e+19 at cell 0, which is too large");
+  numbers->Fill(1e17);
+  broken->GetCellData()->AddArray(numbers);
+  expectRefused(broken, "at cell 0, which is too large");
 
   labels->SetRegionArray(nullptr);
   vtkNew<vtkMultiBlockDataSet> many;
@@ -589,6 +642,7 @@ TEST_F(LabelInputs, PartsAsCloudsKeepTheNormalsOfTheirPoints)
   };
   const auto both = withRegions({ball(0, 0, 0, 1), ball(4, 0, 0, 1)}, 1);
   labels->SourceAsPointsOn();
+  labels->MendSourceOff();
   for (const char* array : {"", "Region"})
   {
     labels->SetRegionArray(array);

@@ -208,6 +208,10 @@ TEST(LabelSurfaces, FollowTheFilterOfLabels)
     EXPECT_GT(count, 0);
   }
   EXPECT_TRUE(voxels->GetOutput()->GetFieldData()->GetAbstractArray("LabelNames"));
+  EXPECT_STREQ(voxels->GetLabelLegend(), labels->GetLabelLegend());
+  voxels->ByLabelOff();
+  voxels->Update();
+  EXPECT_STREQ(voxels->GetLabelLegend(), "");
 }
 
 TEST(LabelSurfaces, ValuesThatAreNoLabelsAreRefusedInOneLine)

@@ -184,6 +184,7 @@ TEST_F(Labels, LargestWindingNumbersAreThoseThatTheRuleCompares)
   solids = {ball(0, 0, 0, 1), twice->GetOutput()};
   labels->SetInputData(asAssembly(solids));
   labels->SetOverlapRule(Filter::LARGEST_WINDING_NUMBER);
+  labels->MendSourceOff();
   for (const int rule : {Filter::SIGNED, Filter::ABSOLUTE})
   {
     labels->SetInsideRule(rule);
@@ -322,6 +323,17 @@ TEST_F(Labels, TellsFactsAboutAllSolids)
   ASSERT_TRUE(table->GetAbstractArray("LabelNames"));
   EXPECT_EQ(table->GetAbstractArray("LabelNames")->GetVariantValue(4).ToString(), "solid 4");
   EXPECT_EQ(table->GetArray("LabelValues")->GetTuple1(4), 5);
+  const auto label = made();
+  const double* h = labels->GetOutput()->GetSpacing();
+  for (int number = 1; number <= 5; ++number)
+  {
+    const auto voxels = static_cast<double>(std::count(label.begin(), label.end(), number));
+    EXPECT_NEAR(
+      table->GetArray("LabelVolumes")->GetTuple1(number - 1), voxels * h[0] * h[1] * h[2], 1e-12);
+  }
+  const std::string volumes = labels->GetVolumesInWords();
+  EXPECT_EQ(std::count(volumes.begin(), volumes.end(), '\n'), 4);
+  EXPECT_NE(volumes.find("\nsolid 4: "), std::string::npos) << volumes;
   EXPECT_TRUE(table->GetAbstractArray("WindingNumberMethod"));
   EXPECT_GT(labels->GetExpectedSeconds(), 0);
   EXPECT_GT(labels->GetPrepareSeconds(), 0);
@@ -488,6 +500,7 @@ TEST_F(Labels, SolidsThatLookInwardAreCounted)
     cells->InsertNextCell({ids[0], ids[2], ids[1]});
   }
   solids[4]->SetPolys(cells);
+  labels->MendSourceOff();
   ErrorLog log(labels);
   labels->Update();
   EXPECT_EQ(labels->GetNumberOfInsideOutSolids(), 1);

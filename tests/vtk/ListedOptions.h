@@ -69,9 +69,9 @@ private:
   };
 #define PROPERTIES(apply)                                                                          \
   apply(Method) apply(Tolerance) apply(Regularization) apply(NumberOfThreads)                      \
-    apply(LongestExpectedTime) apply(SourceAsPoints) apply(UseSurfaceCells) apply(OrientFaces)     \
-      apply(IgnoreOpenParts) apply(Mirror) apply(FlatBase) apply(SheetSide) apply(WeldTolerance)   \
-        apply(SourceDistribution) apply(NormalsArray) apply(EstimateNormals)                       \
+    apply(LongestExpectedTime) apply(SourceAsPoints) apply(UseSurfaceCells) apply(MendSource)      \
+      apply(OrientFaces) apply(IgnoreOpenParts) apply(Mirror) apply(FlatBase) apply(SheetSide)     \
+        apply(WeldTolerance) apply(SourceDistribution) apply(NormalsArray) apply(EstimateNormals)  \
           apply(NormalEstimation) apply(Toward) apply(PointAreaMethod) apply(PointArea)            \
             apply(AreaArray) apply(NumberOfNeighbors) apply(Resolution) apply(VoxelSize)           \
               apply(SamplingDimensions) apply(UseInputBounds) apply(BoundsOverAllTimes)            \
@@ -82,13 +82,14 @@ private:
                         apply(DistanceBand) apply(ResultArrayName) apply(InsideArrayName)          \
                           apply(OutputScalarType) apply(VerifySamples) apply(Features)             \
                             apply(GenerateTriangles) apply(CloseBorder) apply(FillCavities)        \
-                              apply(Offset) apply(Shell) apply(ShellSide) apply(GenerateNormals)   \
-                                apply(OutputPointsPrecision) apply(GenerateDistanceToInput)        \
-                                  apply(TransferAttributes) apply(GenerateNearestCells)            \
-                                    apply(GenerateImage) apply(FidelitySamples) apply(Operation)   \
-                                      apply(OverlapRule) apply(RegionArray) apply(LabelOffset)     \
-                                        apply(GenerateSolidCount) apply(CoverageArrays)            \
-                                          apply(ProbeAssociation) apply(ExtractInside)
+                              apply(GapWidth) apply(Offset) apply(Shell) apply(ShellSide)          \
+                                apply(GenerateNormals) apply(OutputPointsPrecision)                \
+                                  apply(GenerateDistanceToInput) apply(TransferAttributes)         \
+                                    apply(GenerateNearestCells) apply(GenerateImage)               \
+                                      apply(FidelitySamples) apply(Operation) apply(OverlapRule)   \
+                                        apply(RegionArray) apply(LabelOffset)                      \
+                                          apply(GenerateSolidCount) apply(CoverageArrays)          \
+                                            apply(ProbeAssociation) apply(ExtractInside)
 PROPERTIES(PROPERTY)
 
 /// An option as the list has it, with the numbers and constants of its choices.

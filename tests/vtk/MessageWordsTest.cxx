@@ -92,7 +92,13 @@ std::map<std::string, std::string> allMessages(int names)
   surface->SetResolution(4);
   surface->UseInputBoundsOff();
   surface->SetSamplingBounds(0.4, 0.6, 0.4, 0.6, 0.4, 0.6);
+  found["a solid that is closed at the border"] = messageOf(surface.Get(), names);
+  surface->MendSourceOff();
   found["a grid within the solid"] = messageOf(surface.Get(), names);
+  vtkNew<vtkWindingNumberSurface> turned;
+  turned->SetInputConnection(reading("inward.off")->GetOutputPort());
+  turned->SetResolution(4);
+  found["faces that are turned"] = messageOf(turned.Get(), names);
   return found;
 }
 

@@ -96,6 +96,7 @@ TEST(Messages, PointsWithoutNormalsGetTheEasiestRemedyFirst)
   vtkNew<vtkPointSource> points;
   vtkNew<vtkWindingNumberSurface> surface;
   surface->SetInputConnection(points->GetOutputPort());
+  surface->MendSourceOff();
   expectRefused(
     surface, "the points have no normals: use " + howTo({Parameter::estimateNormals, 1}) + ", or ");
 }
@@ -134,6 +135,7 @@ TEST(Messages, OtherErrorsOfAnExecutiveArePassedOn)
   vtkNew<vtkPointSource> points;
   vtkNew<vtkWindingNumberSurface> surface;
   surface->SetInputConnection(points->GetOutputPort());
+  surface->MendSourceOff();
   expectRefused(surface, "the points have no normals");
   testing::internal::CaptureStderr();
   surface->SetInputConnection(nullptr);

@@ -412,6 +412,102 @@ TEST_F(NearestAttributes, OfBlocksAreTheOnesThatAllHave)
   }
 }
 
+/// Colours of some blocks stay, and the others are white.
+TEST_F(NearestAttributes, OfColorsAreTakenWhereOnlySomeBlocksHaveThem)
+{
+  for (const bool areOfCells : {false, true})
+  {
+    for (const unsigned colored : {0U, 1U})
+    {
+      const auto first = sphere(), second = sphere(3);
+      vtkPolyData* const scan = colored == 0 ? first : second;
+      vtkDataSetAttributes* const from =
+        areOfCells ? static_cast<vtkDataSetAttributes*>(scan->GetCellData()) : scan->GetPointData();
+      vtkNew<vtkUnsignedCharArray> red;
+      red->SetName("RGBA");
+      red->SetNumberOfComponents(4);
+      for (vtkIdType n = 0; n < (areOfCells ? scan->GetNumberOfCells() : scan->GetNumberOfPoints());
+           ++n)
+      {
+        red->InsertNextTuple4(200, 10, 20, 128);
+      }
+      from->SetScalars(red);
+      vtkNew<vtkMultiBlockDataSet> blocks;
+      blocks->SetBlock(0, first);
+      blocks->SetBlock(1, second);
+      vtkPolyData* const result = resultOf(blocks);
+      EXPECT_NE(warnings.find("some inputs have no colors"), std::string::npos) << warnings;
+      EXPECT_NE(warnings.find("RGBA is white there"), std::string::npos) << warnings;
+      vtkDataSetAttributes* const to = areOfCells
+                                         ? static_cast<vtkDataSetAttributes*>(result->GetCellData())
+                                         : result->GetPointData();
+      vtkDataArray* const found = to->GetScalars();
+      ASSERT_TRUE(found);
+      vtkDataArray* const block = to->GetArray("NearestBlock");
+      for (vtkIdType n = 0; n < found->GetNumberOfTuples(); ++n)
+      {
+        const bool isRed = block->GetTuple1(n) == 1 + colored;
+        ASSERT_EQ(found->GetComponent(n, 0), isRed ? 200 : 255);
+        ASSERT_EQ(found->GetComponent(n, 3), isRed ? 128 : 255);
+      }
+    }
+  }
+}
+
+TEST_F(NearestAttributes, OfColorsAreOpaqueWhereOnlyOthersHaveAnOpacity)
+{
+  for (const int first : {3, 4})
+  {
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    for (const int components : {first, 7 - first})
+    {
+      const auto part = sphere(components == first ? 0 : 3);
+      vtkNew<vtkUnsignedCharArray> colors;
+      colors->SetName(components == 3 ? "RGB" : "RGBA");
+      colors->SetNumberOfComponents(components);
+      colors->SetNumberOfTuples(part->GetNumberOfPoints());
+      colors->Fill(10 * components);
+      part->GetPointData()->SetScalars(colors);
+      blocks->SetBlock(components == first ? 0 : 1, part);
+    }
+    vtkPointData* const points = resultOf(blocks)->GetPointData();
+    EXPECT_EQ(warnings, "");
+    EXPECT_FALSE(points->HasArray("RGB"));
+    vtkDataArray* const found = points->GetScalars();
+    ASSERT_TRUE(found);
+    EXPECT_STREQ(found->GetName(), "RGBA");
+    for (vtkIdType n = 0; n < found->GetNumberOfTuples(); ++n)
+    {
+      const bool isClear = (points->GetArray("NearestBlock")->GetTuple1(n) == 1) == (first == 4);
+      ASSERT_EQ(found->GetComponent(n, 0), isClear ? 40 : 30);
+      ASSERT_EQ(found->GetComponent(n, 3), isClear ? 40 : 255);
+    }
+  }
+}
+
+TEST_F(NearestAttributes, ThatAreNotThereAreSaidToBeNone)
+{
+  const auto bare = sphere();
+  const std::string words = "the input has no arrays to be taken over";
+  resultOf(bare);
+  EXPECT_NE(warnings.find(words), std::string::npos) << warnings;
+  vtkNew<vtkFloatArray> normals; // the result has its own
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(bare->GetNumberOfPoints());
+  normals->Fill(1);
+  bare->GetPointData()->SetNormals(normals);
+  resultOf(bare);
+  EXPECT_NE(warnings.find(words), std::string::npos) << warnings;
+  filter->TransferAttributesOff();
+  resultOf(bare);
+  EXPECT_EQ(warnings.find(words), std::string::npos) << warnings;
+  addArrays(bare);
+  filter->TransferAttributesOn();
+  resultOf(bare);
+  EXPECT_EQ(warnings.find(words), std::string::npos) << warnings;
+}
+
 /// Numbers of regions stay the numbers of their names, which each block has in its own order.
 TEST_F(NearestAttributes, OfBlocksUniteTheNamesOfRegions)
 {

@@ -21,7 +21,7 @@
 namespace
 {
 
-/// An object is expected to print these words as it is made, such as "Resolution: 64".
+/// An object is expected to print these words as it is made, such as "Resolution: 128".
 template <class Class> void expectPrinted(const std::vector<std::string>& words)
 {
   vtkNew<Class> object;
@@ -44,17 +44,17 @@ TEST(Print, HasThePropertiesOfEveryClass)
   expectPrinted<vtkWindingNumberField>(ofSources);
   expectPrinted<vtkWindingNumberField>(ofArrays);
   expectPrinted<vtkWindingNumberField>(
-    {"Resolution: 64", "VoxelSize: 0", "Padding: 0.05", "UseInputBounds: 1",
+    {"Resolution: 128", "VoxelSize: 0", "Padding: 0.05", "UseInputBounds: 1",
       "BoundsOverAllTimes: 0", "SamplingDimensions: 0 0 0", "Coverage: 0", "UnionOverAllTimes: 0",
       "CoverageSamples: 4", "OutputAssociation: 0", "DistanceBand: 0", "NumberOfThreads: 0"});
   expectPrinted<vtkWindingNumberSurface>(ofSources);
   expectPrinted<vtkWindingNumberSurface>(
-    {"Resolution: 64", "CloseBorder: 0", "GenerateNormals:", "Features: 0", "GenerateTriangles: 0",
+    {"Resolution: 0", "CloseBorder: 0", "GenerateNormals:", "Features: 0", "GenerateTriangles: 0",
       "FidelitySamples: 0", "GenerateDistanceToInput: 0", "FidelityInWords: "});
   expectPrinted<vtkWindingNumberBoolean>(ofSources);
   expectPrinted<vtkWindingNumberBoolean>({"Operation: 0", "Features: 0", "CloseBorder: 0"});
   expectPrinted<vtkWindingNumberLabels>(ofSources);
-  expectPrinted<vtkWindingNumberLabels>({"Resolution: 64", "Coverage: 0", "OutputAssociation: 0",
+  expectPrinted<vtkWindingNumberLabels>({"Resolution: 128", "Coverage: 0", "OutputAssociation: 0",
     "OverlapRule: 0", "GenerateSolidCount: 0", "CoverageArrays: 0",
     "RegionArray: ", "LabelOffset: 0", "NumberOfSolids: 0"});
   expectPrinted<vtkWindingNumberProbe>(ofSources);

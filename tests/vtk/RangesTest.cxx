@@ -145,7 +145,7 @@ TEST(Ranges, GridsOutOfRangeAreRefused)
   field->SetSamplingBounds(-1, 1, -1e200, 1, -1, 1);
   field->Update();
   expectOneLine(
-    log.errors(), "the grid reaches too far: scale the source down; it reaches to -7.8");
+    log.errors(), "the grid reaches too far: scale the source down; it reaches to -3.9");
 }
 
 TEST(Ranges, SurfacesOfTheLargestSourcesHaveFinitePoints)

@@ -150,7 +150,8 @@ TEST_F(Report, OfAClosedSurfacePassesItThroughWithItsCounts)
   }
   EXPECT_EQ(this->text("kind"), "surface");
   EXPECT_EQ(this->text("advice"), filter->GetAdvice());
-  EXPECT_EQ(std::string(filter->GetAdvice()), "closed: every winding number is an integer");
+  EXPECT_EQ(std::string(filter->GetAdvice()),
+    "nothing to mend; closed: every winding number is an integer");
   EXPECT_EQ(this->number("closed"), 1);
   EXPECT_EQ(this->number("triangles"), source->GetNumberOfPolys());
   EXPECT_EQ(this->number("vertices"), source->GetNumberOfPoints());

@@ -243,6 +243,7 @@ TEST_F(Shape, SaysWhatIsLost)
 TEST_F(Shape, SaysWhereAllIsInside)
 {
   filter->SetInputData(ball(1));
+  filter->MendSourceOff();
   filter->UseInputBoundsOff();
   filter->SetSamplingBounds(-0.5, 0.5, -0.5, 0.5, -0.5, 0.5);
   const auto count = [&]

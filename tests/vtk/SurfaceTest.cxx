@@ -84,7 +84,7 @@ protected:
 TEST_F(Surfaces, DefaultsAreTheDocumentedOnes)
 {
   vtkNew<vtkWindingNumberSurface> fresh;
-  EXPECT_EQ(fresh->GetResolution(), 64);
+  EXPECT_EQ(fresh->GetResolution(), 0);
   EXPECT_EQ(fresh->GetUseInputBounds(), 1);
   EXPECT_EQ(fresh->GetPadding(), 0.05);
   EXPECT_EQ(fresh->GetWindingThreshold(), 0.5);
@@ -97,6 +97,42 @@ TEST_F(Surfaces, DefaultsAreTheDocumentedOnes)
   EXPECT_EQ(fresh->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
 }
 
+TEST_F(Surfaces, HaveTheVoxelsThatWallsAskFor)
+{
+  vtkNew<vtkCubeSource> plate;
+  plate->SetZLength(0.008);
+  filter->SetInputConnection(plate->GetOutputPort());
+  filter->SetResolution(0);
+  int voxels[3];
+  double first[3], spacing[3];
+  for (const bool isImageMade : {false, true, false})
+  {
+    filter->SetGenerateImage(isImageMade);
+    this->expectClosed(this->update());
+    filter->GetGrid(voxels, first, spacing);
+    EXPECT_EQ(voxels[0], 210);
+    EXPECT_EQ(std::string(filter->GetResolutionReason()),
+      "resolution 210, since about 98 % of the surface has walls thinner than 1.5 of 128 voxels");
+  }
+  filter->SetResolution(50);
+  this->update();
+  filter->GetGrid(voxels, first, spacing);
+  EXPECT_EQ(voxels[0], 50);
+  EXPECT_EQ(std::string(filter->GetResolutionReason()), "");
+  filter->SetResolution(0);
+  filter->SetSamplingDimensions(30, 30, 5);
+  this->update();
+  filter->GetGrid(voxels, first, spacing);
+  EXPECT_EQ(voxels[2], 5);
+  filter->SetSamplingDimensions(0, 0, 0);
+  sphere->SetThetaResolution(48);
+  sphere->SetPhiResolution(48);
+  filter->SetInputConnection(sphere->GetOutputPort());
+  this->update();
+  filter->GetGrid(voxels, first, spacing);
+  EXPECT_EQ(voxels[0], 128);
+}
+
 TEST_F(Surfaces, OfAClosedMeshLieOnIt)
 {
   vtkPolyData* surface = this->update();
@@ -106,6 +142,12 @@ TEST_F(Surfaces, OfAClosedMeshLieOnIt)
   EXPECT_NEAR(signedVolume(surface), signedVolume(sphere->GetOutput()), 0.03);
   EXPECT_EQ(surface->GetPoints()->GetDataType(), VTK_FLOAT);
   vtkFieldData* data = surface->GetFieldData();
+  EXPECT_EQ(data->GetArray("Closed")->GetTuple1(0), 1);
+  EXPECT_EQ(data->GetArray("Parts")->GetTuple1(0), 1);
+  EXPECT_NEAR(data->GetArray("Volume")->GetTuple1(0), signedVolume(surface), 1e-5);
+  EXPECT_NEAR(data->GetArray("InputVolume")->GetTuple1(0), signedVolume(sphere->GetOutput()), 1e-5);
+  EXPECT_EQ(std::string(filter->GetSolidInWords()).rfind("1 part, volume ", 0), 0u)
+    << filter->GetSolidInWords();
   EXPECT_EQ(
     vtkStringArray::SafeDownCast(data->GetAbstractArray("WindingNumberMethod"))->GetValue(0),
     "rows");
@@ -285,12 +327,14 @@ TEST_F(Surfaces, FollowRuleAndThreshold)
   filter->SetInsideRule(vtkWindingNumberSurface::ABSOLUTE);
   EXPECT_NEAR(signedVolume(this->update()), outerVolume, 0.03) << "outward all the same";
   filter->SetInsideRule(vtkWindingNumberSurface::SIGNED);
+  filter->MendSourceOff();
   EXPECT_EQ(this->update()->GetNumberOfCells(), 0);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 TEST_F(Surfaces, EndAtTheBorderOfTheGridOrAreClosedThere)
 {
+  filter->MendSourceOff();
   filter->UseInputBoundsOff();
   filter->SetSamplingBounds(-1.1, 1.1, -1.1, 1.1, 0, 1.1);
   const ErrorLog border(filter);
@@ -472,8 +516,8 @@ TEST_F(Surfaces, ProgressRisesToOneAndAbortLeavesAnEmptyOutput)
 
 TEST_F(Surfaces, BadInputIsRefusedAndTheFilterGoesOnWorking)
 {
-  filter->SetResolution(0);
-  this->expectRefused("Resolution is 0");
+  filter->SetResolution(-1);
+  this->expectRefused("Resolution is -1");
   filter->SetResolution(8);
   filter->SetPadding(-1);
   this->expectRefused("Padding is -1");
@@ -491,6 +535,7 @@ TEST_F(Surfaces, BadInputIsRefusedAndTheFilterGoesOnWorking)
   sphere->Update();
   cloud->SetPoints(sphere->GetOutput()->GetPoints());
   filter->SetInputData(cloud);
+  filter->MendSourceOff();
   this->expectRefused("normals");
   filter->SetInputConnection(sphere->GetOutputPort());
   {

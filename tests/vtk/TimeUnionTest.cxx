@@ -491,7 +491,7 @@ TEST_F(TimeUnion, WarnsOfWhatIsLostAtOneTime)
     field->Update();
     EXPECT_GT(field->GetNumberOfInsideSamples(), 100);
     EXPECT_EQ(countOf("Warning: ", log.warnings()), 1) << log.warnings();
-    EXPECT_EQ(countOf("and no sample is inside, at 1 of 2 times", log.warnings()), 1)
+    EXPECT_EQ(countOf("would give it three, at 1 of 2 times", log.warnings()), 1)
       << log.warnings();
   }
 }

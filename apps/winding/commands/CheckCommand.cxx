@@ -89,10 +89,15 @@ std::string textOf(const Json& value)
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// The report for people: a line for each value, then the files, then the advice.
-std::string aligned(const Json& report)
+/// The report for people: the points of the advice, a line for each value, then the files.
+std::string aligned(const Json& report, vtkWindingNumberReport& filter)
 {
   std::string text;
+  for (int i = 0; i < filter.GetNumberOfAdvice(); ++i)
+  {
+    text += std::string(filter.GetAdvice(i)) + "\n";
+  }
+  text += text.empty() ? "" : "\n";
   for (const auto& [name, value] : report.items())
   {
     if (!value.is_object() && name != "advice")
@@ -110,7 +115,8 @@ std::string aligned(const Json& report)
       text += "wrote " + report[written]["file"].get<std::string>() + "\n";
     }
   }
-  return text + report["advice"].get<std::string>();
+  text.pop_back(); // print() ends the line
+  return text;
 }
 
 /// Throws Failure for options that are for surfaces where the input is none.
@@ -198,6 +204,6 @@ void runCheck(const Options& options, Messages& messages)
   }
   else
   {
-    print(aligned(report));
+    print(aligned(report, *filter));
   }
 }

@@ -15,7 +15,9 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <functional>
 
 namespace
 {
@@ -89,6 +91,43 @@ vtkSmartPointer<vtkImageData> emptyImage(vtkImageData* slab, const std::vector<S
   return image;
 }
 
+/// Adds up the volumes of labels in slabs, which share no voxel, on the first of `ranks` ranks.
+void addUpVolumes(vtkImageData* own, vtkImageData* whole, std::size_t ranks)
+{
+  vtkDataArray* const part = own ? own->GetFieldData()->GetArray("LabelVolumes") : nullptr;
+  if (!part)
+  {
+    return;
+  }
+  const double* const spacing = own->GetSpacing();
+  const double voxel = std::abs(spacing[0] * spacing[1] * spacing[2]);
+  std::vector<double> voxels;
+  for (vtkIdType i = 0; i < part->GetNumberOfTuples(); ++i)
+  {
+    voxels.push_back(std::round(part->GetComponent(i, 0) / voxel));
+  }
+  const std::size_t bytes = voxels.size() * sizeof(double);
+  if (!parallel::isFirst())
+  {
+    parallel::send(voxels.data(), bytes, 0);
+    return;
+  }
+  std::vector<double> others(voxels.size());
+  for (std::size_t rank = 1; rank < ranks; ++rank)
+  {
+    parallel::receive(others.data(), bytes, static_cast<int>(rank));
+    std::transform(
+      voxels.begin(), voxels.end(), others.begin(), voxels.begin(), std::plus<double>());
+  }
+  const auto sum = vtkSmartPointer<vtkDataArray>::Take(part->NewInstance());
+  sum->SetName(part->GetName());
+  for (const double count : voxels)
+  {
+    sum->InsertNextTuple1(voxel * count);
+  }
+  whole->GetFieldData()->AddArray(sum);
+}
+
 } // namespace
 
 std::vector<SlabExtent> slabsOf(
@@ -141,5 +180,6 @@ vtkSmartPointer<vtkImageData> gatheredImage(vtkImageData* own, const std::vector
       to += layers(rank) * bytesOfLayer;
     }
   }
+  addUpVolumes(own, whole, slabs.size());
   return whole;
 }

@@ -133,8 +133,15 @@ void FieldRun::checkOutput() const
     const vtkNew<vtkImageData> image;
     image->SetExtent(this->wholeExtent().data());
     image->CopyInformationFromPipeline(this->imageInformation());
-    checkMedicalImage({image.Get(), like_.space, like_.unit}, options_.output, messages_);
+    checkMedicalImage(this->placed(image), options_.output, messages_);
   }
+}
+
+PlacedImage FieldRun::placed(vtkImageData* image) const
+{
+  PlacedImage placed = like_;
+  placed.image = image;
+  return placed;
 }
 
 /// Returns the pipeline's information on the image: the only output, or the one after a surface.

@@ -33,8 +33,8 @@ public:
   vtkWindingNumberGridAlgorithm& filter() const { return filter_; }
   RunReport& report() { return report_; }
 
-  /// The image that the result lies on; its place is empty if there is none.
-  const PlacedImage& like() const { return like_; }
+  /// Returns an image of the result with the space and all else of the image that it lies on.
+  PlacedImage placed(vtkImageData* image) const;
 
   /// Makes the whole output of the filter.
   void update();

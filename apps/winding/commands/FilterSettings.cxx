@@ -2,13 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/FilterSettings.h"
 
+#include "input/Leaves.h"
 #include "options/Options.h"
 #include "program/Failure.h"
 #include "program/Interrupt.h"
 #include "program/Messages.h"
 
+#include "vtkPolyData.h"
+#include "vtkWindingNumberBoolean.h"
 #include "vtkWindingNumberField.h"
 #include "vtkWindingNumberLabels.h"
+
+namespace
+{
+
+/// Returns whether an operand is a cloud, which options for points are for.
+bool hasCloud(vtkWindingNumberAlgorithm& filter)
+{
+  bool found = false;
+  if (vtkWindingNumberBoolean::SafeDownCast(&filter))
+  {
+    forEachLeaf(filter.GetInputDataObject(0, 0),
+      [&found](vtkDataObject* leaf)
+      {
+        auto* points = vtkPolyData::SafeDownCast(leaf);
+        found |= points && points->GetNumberOfPoints() > 0 &&
+                 points->GetNumberOfPolys() + points->GetNumberOfStrips() == 0;
+      });
+  }
+  return found;
+}
+
+} // namespace
 
 void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
 {
@@ -38,7 +63,10 @@ void applyMethod(const Options& options, vtkWindingNumberAlgorithm* filter)
 
 void applyGrid(const Options& options, vtkWindingNumberGridAlgorithm* filter)
 {
-  filter->SetResolution(options.resolution);
+  if (options.resolution)
+  {
+    filter->SetResolution(*options.resolution);
+  }
   filter->SetVoxelSize(options.voxelSize);
   if (!options.dimensions.empty())
   {
@@ -51,6 +79,10 @@ void applyGrid(const Options& options, vtkWindingNumberGridAlgorithm* filter)
   }
   filter->SetPadding(options.padding);
   filter->SetVerifySamples(options.verify);
+  if (options.asIs)
+  {
+    filter->MendSourceOff();
+  }
 }
 
 void applyImage(const Options& options, vtkWindingNumberImageAlgorithm* filter)
@@ -86,7 +118,8 @@ void applyLabels(const Options& options, vtkWindingNumberLabels* filter)
 void warnOfIdleOptions(
   const Options& options, vtkWindingNumberAlgorithm& filter, Messages& messages)
 {
-  if (options.asPoints || filter.GetSourceKind() != vtkWindingNumberField::MESH_SOURCE)
+  if (options.asPoints || filter.GetSourceKind() != vtkWindingNumberField::MESH_SOURCE ||
+      hasCloud(filter))
   {
     return;
   }

@@ -38,6 +38,7 @@ Json describeLabels(vtkImageData* image, bool isWhole, bool asCells)
   auto* values =
     vtkUnsignedShortArray::SafeDownCast(image->GetFieldData()->GetArray("LabelValues"));
   auto* names = vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray("LabelNames"));
+  vtkDataArray* const volumes = image->GetFieldData()->GetArray("LabelVolumes");
   vtkDataSetAttributes* attributes = image->GetPointData();
   if (asCells)
   {
@@ -56,6 +57,7 @@ Json describeLabels(vtkImageData* image, bool isWhole, bool asCells)
     if (isWhole)
     {
       label["voxels"] = voxels[values->GetValue(i)];
+      label["volume"] = volumes->GetComponent(i, 0);
     }
     result.push_back(label);
   }

@@ -197,7 +197,8 @@ Json RunReport::describeGrid() const
     bounds.push_back(low + voxels[axis] * spacing[axis]);
   }
   return {{"dimensions", dimensions}, {"origin", origins}, {"spacing", spacings},
-    {"bounds", bounds}, {"association", options_.cells ? "cells" : "points"}};
+    {"bounds", bounds}, {"association", options_.cells ? "cells" : "points"},
+    {"why", filter_.GetResolutionReason()}};
 }
 
 /// How far distances reach, in the unit of the input.
@@ -331,12 +332,13 @@ std::string RunReport::summary(const Json& report) const
     }
   }
   const Json& grid = report["grid"]["dimensions"];
+  const std::string why = report["grid"].value("why", "");
   const bool isCounted = report.contains("inside") && report["inside"].is_number();
   const std::string inside = isCounted ? report["inside"].dump() + " inside, " : "";
   text += "\nmethod " + report["method"].get<std::string>() + " (" +
           report["why"].get<std::string>() + "), " + grid[0].dump() + " x " + grid[1].dump() +
-          " x " + grid[2].dump() + " voxels, " + inside +
-          shown(report["seconds"]["total"].get<double>(), 3) + " s\n";
+          " x " + grid[2].dump() + " voxels" + (why.empty() ? "" : " (" + why + ")") + ", " +
+          inside + shown(report["seconds"]["total"].get<double>(), 3) + " s\n";
   if (options_.verify > 0)
   {
     text += this->errorsInWords(report) + "\n" + this->uncomparedInWords(report);
@@ -349,9 +351,16 @@ std::string RunReport::summary(const Json& report) const
   if (!output_.is_null())
   {
     text += ": " + output_["points"].dump() + " points, " + output_["cells"].dump() + " faces";
+    if (output_.contains("parts"))
+    {
+      text += ", ";
+      text += vtkWindingNumberSurfaceAlgorithm::SafeDownCast(&filter_)->GetSolidInWords();
+    }
     if (output_.contains("filled_cavities"))
     {
-      text += ", " + output_["filled_cavities"].dump() + " cavities filled";
+      const bool isOne = output_["filled_cavities"] == 1;
+      text +=
+        ", " + output_["filled_cavities"].dump() + (isOne ? " cavity" : " cavities") + " filled";
     }
     if (output_.contains("distances_from"))
     {

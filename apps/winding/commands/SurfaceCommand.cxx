@@ -106,6 +106,7 @@ void runSurface(const Options& options, Messages& messages)
 {
   vtkNew<vtkWindingNumberSurface> filter;
   filter->SetFillCavities(options.fillCavities);
+  filter->SetGapWidth(options.gapWidth);
   filter->SetOffset(options.offset);
   filter->SetShell(options.shell);
   filter->SetShellSide(options.shellSide);

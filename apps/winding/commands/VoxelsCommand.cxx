@@ -25,9 +25,11 @@ void runVoxels(const Options& given, Messages& messages)
   // numbers; but alone it is made from floats, and only winding numbers can be verified.
   options.inside = true;
   options.insideOnly = !options.asDouble && options.verify == 0;
+  options.resolution = options.resolution.value_or(0);
   OutputFile output(options.output, filesToKeep(options));
   vtkNew<vtkWindingNumberField> field;
   applyField(options, field);
+  field->MendSourceOn();
   field->GenerateNearestCellsOff(); // faces have them, not voxels
   FieldRun run(*field, options, messages);
   run.update();

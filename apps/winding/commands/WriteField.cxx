@@ -124,7 +124,7 @@ void writeResult(FieldRun& run, vtkImageData* image, OutputFile* file)
                                   : isField                   ? options.array
                                                               : "Inside";
         image->GetPointData()->SetActiveScalars(array.c_str());
-        writeMedicalImage({image, run.like().space, run.like().unit}, *file);
+        writeMedicalImage(run.placed(image), *file);
       }
       else
       {
@@ -146,6 +146,15 @@ void writeResult(FieldRun& run, vtkPolyData* surface, OutputFile* file)
       if (vtkDataArray* cavities = facts->GetArray("FilledCavities"))
       {
         output["filled_cavities"] = static_cast<int>(cavities->GetTuple1(0));
+      }
+      if (vtkDataArray* parts = facts->GetArray("Parts"))
+      {
+        output["closed"] = facts->GetArray("Closed")->GetTuple1(0) != 0;
+        output["parts"] = static_cast<vtkIdType>(parts->GetTuple1(0));
+        // NaN becomes null.
+        output["volume"] = facts->GetArray("Volume")->GetTuple1(0);
+        vtkDataArray* const ofInput = facts->GetArray("InputVolume");
+        output["input_volume"] = ofInput ? Json(ofInput->GetTuple1(0)) : Json(nullptr);
       }
       if (vtkAbstractArray* from = facts->GetAbstractArray("DistancesFrom"))
       {

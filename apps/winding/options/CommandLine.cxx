@@ -79,6 +79,7 @@ void addSurface(CLI::App& app, Options& options)
   addComparison(surface, options);
   addNearest(surface, options);
   addFieldOptions(surface, options);
+  addMending(surface, options);
   addThreads(surface, options);
   addLongestTime(surface, options);
   addReporting(surface, options);
@@ -119,6 +120,7 @@ void addBoolean(CLI::App& app, Options& options)
   addFeatures(boolean, options);
   addNearest(boolean, options);
   addFieldOptions(boolean, options);
+  addMending(boolean, options);
   addThreads(boolean, options);
   addLongestTime(boolean, options);
   addReporting(boolean, options);
@@ -137,6 +139,7 @@ void addVoxels(CLI::App& app, Options& options)
     ->group("Output");
   addNearest(voxels, options);
   addFieldOptions(voxels, options);
+  addMending(voxels, options);
   addThreads(voxels, options);
   addLongestTime(voxels, options);
   addReporting(voxels, options);
@@ -184,6 +187,7 @@ void addLabels(CLI::App& app, Options& options)
   addThreshold(labels, options);
   addCoverage(labels, options);
   addFieldOptions(labels, options);
+  addMending(labels, options);
   labels
     ->add_option("--pieces", options.pieces,
       "Make and write the labels in this many pieces, to save memory (1)")
@@ -329,6 +333,22 @@ std::string explanation(const CLI::App& app, const CLI::ParseError& error, const
          "--help";
 }
 
+/// Returns the arguments of the program, the last one first, as the parser takes them. Numbers like
+/// -.5 get a zero, for it takes words for options whose minus no digit follows.
+std::vector<std::string> wordsOf(int argc, char** argv)
+{
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  for (std::string& word : words)
+  {
+    if (startsWith(word, "-.") && word.find_first_of("0123456789") == 2)
+    {
+      word.insert(1, "0");
+    }
+  }
+  std::reverse(words.begin(), words.end());
+  return words;
+}
+
 } // namespace
 
 void addCommands(CLI::App& app, Options& options)
@@ -352,7 +372,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv)
   addCommands(app, options);
   try
   {
-    app.parse(argc, argv);
+    app.parse(wordsOf(argc, argv));
   }
   catch (const CLI::Success& wish)
   {

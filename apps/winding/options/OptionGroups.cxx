@@ -15,8 +15,10 @@ using Filter = vtkWindingNumberField;
 void addGrid(CLI::App* command, Options& options)
 {
   const std::string group = "Grid";
-  CLI::Option* resolution = command->add_option(
-    "--resolution", options.resolution, "Cubic voxels along the longest side (64)");
+  const bool isImage = command->get_name() == "field" || command->get_name() == "labels";
+  CLI::Option* resolution = command->add_option("--resolution", options.resolution,
+    isImage ? "Cubic voxels along the longest side (128)"
+            : "Cubic voxels along the longest side; by default 0: 128, or more for thin walls");
   CLI::Option* voxelSize = command->add_option(
     "--voxel-size", options.voxelSize, "Side of the cubic voxels, in the unit of the input");
   CLI::Option* dimensions = command->add_option(
@@ -27,9 +29,8 @@ void addGrid(CLI::App* command, Options& options)
     "Margin around the input's bounds, as a fraction of their longest side, or with --dims of each "
     "axis's own (0.05)");
   CLI::Option* cells = command->add_flag("--cells", options.cells,
-    command->get_name() == "field" || command->get_name() == "labels"
-      ? "Make the samples cells of the image, not points"
-      : "As for field; makes no difference here");
+    isImage ? "Make the samples cells of the image, not points"
+            : "As for field; makes no difference here");
   dimensions->expected(3)->type_name("NX NY NZ");
   bounds->expected(6)->type_name("X0 X1 Y0 Y1 Z0 Z1");
   resolution->excludes(voxelSize)->excludes(dimensions);
@@ -75,7 +76,7 @@ void addColumns(
       },
       "Columns of " + of +
         ".csv .tsv .xyz .pwn by names, or by numbers from 1 on: x=Easting "
-        "y=Northing z=Height nx=4 ny=5 nz=6 area=7")
+        "y=Northing z=Height nx=4 ny=5 nz=6 area=7 vx=8 vy=9 vz=10, where points were seen from")
     ->type_name("NAME=COLUMN...");
 }
 
@@ -294,6 +295,16 @@ void addMethod(CLI::App* command, Options& options)
     ->group(group);
 }
 
+void addMending(CLI::App* command, Options& options)
+{
+  command
+    ->add_flag("--as-is", options.asIs,
+      "Leave the input as it is. Otherwise, where a warning would say that it bounds nothing, "
+      "faces or normals are turned, points get normals, open sheets become plates of three voxels, "
+      "and surfaces are closed at the border of the grid")
+    ->group("Method");
+}
+
 void addFieldOptions(CLI::App* command, Options& options)
 {
   addGrid(command, options);
@@ -346,6 +357,12 @@ void addShape(CLI::App* command, Options& options)
   command
     ->add_flag("--fill-cavities", options.fillCavities,
       "Make inside what the outside does not reach, as in a hollow scan")
+    ->group("Output");
+  command
+    ->add_option("--gap-width", options.gapWidth,
+      "Width of openings that do not let the outside into cavities")
+    ->needs("--fill-cavities")
+    ->type_name("LENGTH")
     ->group("Output");
   command
     ->add_option("--offset", options.offset,

@@ -52,6 +52,9 @@ void addSurfaceCells(CLI::App* command, Options& options);
 void addCompletion(CLI::App* command, Options& options);
 void addMethod(CLI::App* command, Options& options);
 
+/// Adds `--as-is`, for commands that make solids.
+void addMending(CLI::App* command, Options& options);
+
 /// Adds the options of commands that make a field: grid, method and verification.
 void addFieldOptions(CLI::App* command, Options& options);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct Options
   bool overwrite = false; ///< whether an output may replace a file that is read
 
   // The grid. Empty dimensions and bounds were not given.
-  int resolution = 64;
+  std::optional<int> resolution; ///< or the default of the command
   double voxelSize = 0;
   std::vector<int> dimensions;
   std::vector<double> bounds;
@@ -40,6 +41,7 @@ struct Options
   bool replace = false;   ///< whether normals are estimated for points that have some
   bool asPoints = false;
   bool surfaceCells = false;
+  bool asIs = false; ///< whether sources are not mended
   bool orientFaces = false;
   bool ignoreOpenParts = false;
   std::string mirror; ///< as the filters have it, as are the next two
@@ -63,6 +65,7 @@ struct Options
   bool triangles = false;
   bool closeBorder = false;
   bool fillCavities = false;
+  double gapWidth = 0;
   double offset = 0;
   double shell = 0;
   int shellSide = 0;

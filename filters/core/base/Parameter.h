@@ -21,6 +21,7 @@ enum class Parameter
   // the source
   sourceAsPoints,
   surfaceCells,
+  mendSource,
   orientFaces,
   ignoreOpenParts,
   mirror,
@@ -71,6 +72,7 @@ enum class Parameter
   generateTriangles,
   closeBorder,
   fillCavities,
+  gapWidth,
   offset,
   shell,
   shellSide,
@@ -109,6 +111,7 @@ enum class Parameter
 
   // inputs, other filters and other ways of working
   source,
+  others,
   like,
   probe,
   voxelArray,

@@ -7,6 +7,8 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <functional>
+#include <thread>
 
 namespace winding
 {
@@ -18,6 +20,7 @@ struct SideCounts
   std::size_t samples = 0;
   std::size_t inside = 0;
   std::size_t negative = 0;
+  std::size_t several = 0; ///< samples in more than one solid: w is more than 1.5
 
   /// Counts one more value `times` times. A threshold of 0 or less has no other side.
   void add(double value, const InsideTest& isInside, std::size_t times = 1)
@@ -25,6 +28,7 @@ struct SideCounts
     samples += times;
     inside += isInside(value) ? times : 0;
     negative += isInside.threshold > 0 && value <= -isInside.threshold ? times : 0;
+    several += value > 1.5 ? times : 0;
   }
 
   SideCounts& operator+=(const SideCounts& other)
@@ -32,6 +36,7 @@ struct SideCounts
     samples += other.samples;
     inside += other.inside;
     negative += other.negative;
+    several += other.several;
     return *this;
   }
 };
@@ -52,7 +57,7 @@ SideCounts countSides(std::size_t values, double threshold, const ValueAt& value
 }
 
 /// Adds up what any number of threads count at once. Threads do not wait for each other: a few
-/// share a place at most.
+/// share a place at most. No thread needs memory for that.
 class SideTally
 {
 public:
@@ -60,9 +65,11 @@ public:
   {
     if (counts.inside > 0 || counts.negative > 0)
     {
-      Place& own = places_[numberOfThread() % places_.size()];
+      Place& own =
+        places_[std::hash<std::thread::id>()(std::this_thread::get_id()) % places_.size()];
       own.inside.fetch_add(counts.inside, std::memory_order_relaxed);
       own.negative.fetch_add(counts.negative, std::memory_order_relaxed);
+      own.several.fetch_add(counts.several, std::memory_order_relaxed);
     }
   }
 
@@ -75,6 +82,7 @@ public:
     {
       sums.inside += place.inside;
       sums.negative += place.negative;
+      sums.several += place.several;
     }
     return sums;
   }
@@ -84,14 +92,8 @@ private:
   {
     std::atomic<std::size_t> inside{0};
     std::atomic<std::size_t> negative{0};
+    std::atomic<std::size_t> several{0};
   };
-
-  static std::size_t numberOfThread()
-  {
-    static std::atomic<std::size_t> threads{0};
-    thread_local const std::size_t number = threads++;
-    return number;
-  }
 
   std::array<Place, 64> places_;
 };

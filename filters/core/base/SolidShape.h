@@ -63,6 +63,7 @@ struct DistanceBand
 struct SolidShape
 {
   bool fillsCavities = false;
+  double gapWidth = 0; ///< openings as wide as that do not let the outside into cavities
   double offset = 0;
   double shell = 0; ///< thickness of the shell; 0 for none
   ShellSide shellSide = ShellSide::inward;
@@ -88,8 +89,9 @@ struct SolidShape
     return {offset - 0.5 * shell, offset + 0.5 * shell};
   }
 
-  /// Returns by how much the shape reaches beyond the solid.
-  double reach() const { return std::max(this->band().high, 0.0); }
+  /// Returns by how much a grid should reach beyond the solid: as far as the shape does, and as the
+  /// outside needs to get round it where gaps are closed.
+  double reach() const { return std::max(this->band().high, fillsCavities ? gapWidth : 0.0); }
 };
 
 } // namespace winding

@@ -67,7 +67,7 @@ bool isAbout(double w, double expected)
 
 } // namespace
 
-CloudOrientation orientationOf(const PointCloud& cloud, Executor& executor)
+CloudOrientation orientationOf(const PointCloud& cloud, Executor& executor, double added)
 {
   CloudOrientation orientation;
   constexpr double spacings = 2;
@@ -91,6 +91,7 @@ CloudOrientation orientationOf(const PointCloud& cloud, Executor& executor)
   std::vector<float> values(samples.size());
   FieldOutput output;
   output.values = values.data();
+  output.added = added;
   BriefExecutor briefly(executor);
   field.evaluate({samples[0].data(), samples.size()}, output, briefly);
   std::vector<float> behind, before;

@@ -37,11 +37,11 @@ struct CloudOrientation
 };
 
 /**
- * Evaluates the field at two spacings (square roots of the area) behind and before two thousand
- * points at most, evenly chosen by their areas. The cloud needs normals and areas; nothing is found
- * where all areas are 0. It takes a fraction of the time that a field of the cloud takes, and the
+ * Evaluates the field plus `added` at two spacings (square roots of the area) behind and before two
+ * thousand points at most, evenly chosen by their areas. The cloud needs normals and areas; nothing
+ * is found where all areas are 0. It takes a fraction of the time of a field of the cloud, and the
  * result is the same for any executor and any order of the points. Throws Interrupted.
  */
-CloudOrientation orientationOf(const PointCloud& cloud, Executor& executor);
+CloudOrientation orientationOf(const PointCloud& cloud, Executor& executor, double added = 0);
 
 } // namespace winding

@@ -3,6 +3,7 @@
 #include "cloud/OutwardNormals.h"
 
 #include "base/Digits.h"
+#include "base/Directions.h"
 #include "base/Progress.h"
 #include "cloud/AutomaticNormals.h"
 #include "cloud/ConsistentNormals.h"
@@ -88,6 +89,22 @@ bool areFlatAround(const PointCloud& cloud, const Eigen::Vector3d& normal, Execu
   return !(sum > flat * static_cast<double>(count));
 }
 
+/// Returns the directions of places, of the points that are there.
+std::vector<Eigen::Vector3d> meanDirections(
+  const DistinctPoints& places, const std::vector<Eigen::Vector3d>& ofPoints)
+{
+  std::vector<Eigen::Vector3d> directions(places.size(), Eigen::Vector3d::Zero());
+  for (std::size_t place = 0; place < places.size(); ++place)
+  {
+    for (const std::uint32_t* point = places.begin(place); point != places.end(place); ++point)
+    {
+      directions[place] += ofPoints[*point];
+    }
+    directions[place] = unitOrZero(directions[place]);
+  }
+  return directions;
+}
+
 /// Gives the cloud normals and, unless they came with it, areas; turns all normals round if their
 /// field says that they point inward, and if `mayTurn`.
 CloudOrientation takeOutward(PointCloud& cloud, const DistinctPoints& places,
@@ -149,14 +166,17 @@ OutwardNormals giveOutwardNormals(PointCloud& cloud, NormalEstimation estimation
   const double endOfPlaces = isTreeAlone ? 0.06 : 0.02;
   progress.set(0, endOfPlaces);
   const DistinctPoints places(cloud.positions, unitScaleOf(cloud.positions), executor);
-  if (!toward.empty())
+  if (!toward.empty() || !cloud.normals.empty())
   {
     progress.set(endOfPlaces, 0.6);
-    std::vector<Eigen::Vector3d> normals = normalsToward(toward, places, areas.neighbors, executor);
+    SeenNormals seen = normalsToward(toward.empty() ? meanDirections(places, cloud.normals)
+                                                    : toward.directionsFrom(places, executor),
+      places, areas.neighbors, executor);
     progress.set(0.6, 1);
     found.estimation = NormalEstimation::toward;
     found.orientation =
-      takeOutward(cloud, places, std::move(normals), hasOwnAreas, areas, executor, false);
+      takeOutward(cloud, places, std::move(seen.normals), hasOwnAreas, areas, executor, false);
+    found.opposed = toward.empty() || toward.areSeveral() ? seen.opposed : 0;
     return found;
   }
   if (estimation != NormalEstimation::consistent)
@@ -235,6 +255,14 @@ Message equalNormals(std::size_t except)
   const std::string others = except > 0 ? "except " + std::to_string(except) + " " : "";
   return {"all normals " + others + "are equal",
     {{"estimate others", {Parameter::replacedNormals}}}, "the points lie in no plane"};
+}
+
+Message opposedNormals(double share)
+{
+  return {"neighbours look opposite ways, and cancel",
+    {{"leave out what one of the scanners saw of them", {}}},
+    "they do at " + percentOf(share) +
+      " of the points, as where scanners see a wall from both sides"};
 }
 
 Message keptNormals()

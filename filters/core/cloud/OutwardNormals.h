@@ -21,21 +21,26 @@ struct OutwardNormals
 {
   NormalEstimation estimation = NormalEstimation::spanningTree; ///< never automatic
   CloudOrientation orientation;                                 ///< once turned outward
+  double opposed = 0; ///< share of places with opposite neighbours, where viewpoints are several
+
+  /// The share that single places of edges have at most.
+  static constexpr double fewOpposed = 0.02;
 
   /// Whether the field was to be clear and is not. It need not be with viewpoints.
   bool isUnsure() const { return estimation != NormalEstimation::toward && !orientation.isClear(); }
 };
 
 /**
- * Gives normals that point outward to a cloud that has none, and areas unless it has them. The
+ * Gives normals that point outward to a cloud that has none, and areas unless it has them. Normals
+ * that it has only look to where each point was seen from, and others take their place. The
  * field that normals and areas make decides what is outward, as a whole.
  *
  * The normals are numbers of single precision, as files and VTK's filters have them, and unit
  * vectors to that precision. The areas belong to the unit vectors that sanitize() makes of them,
  * so that points that were stored with their normals have the same areas when they come back.
  *
- * Normals look toward viewpoints instead where there are any (normalsToward()). The field does not
- * turn them, which says little where one side alone was seen.
+ * Normals look toward viewpoints instead, `toward` or of each point, where there are any. The field
+ * does not turn them (normalsToward()), which says little where one side alone was seen.
  *
  * Automatic takes the spanning tree where its field is clear nearly everywhere, and otherwise
  * automaticNormals(), which are reported as consistent. The bits are the same for any executor and
@@ -62,6 +67,10 @@ std::optional<std::size_t> equalNormalsExcept(const PointCloud& cloud, Executor&
 
 /// Returns what to do about normals that are equal except for `except` of them.
 Message equalNormals(std::size_t except);
+
+/// Returns what to do where a share of places have neighbours that look the other way, as where
+/// scanners see a wall from both sides.
+Message opposedNormals(double share);
 
 /// Returns what users can do who ask for estimated normals of points that have some.
 Message keptNormals();

@@ -28,6 +28,28 @@ namespace
   throw Refusal(std::move(message));
 }
 
+double opposedShare(const DistinctPoints& places, const NeighborGraph& graph,
+  const std::vector<Eigen::Vector3d>& normals)
+{
+  constexpr std::size_t nearest = 8;
+  constexpr std::ptrdiff_t few = 2;
+  constexpr double opposite = -0.7, across = 0.3; // the two sides of a thin wall lie farther across
+  std::size_t opposed = 0;
+  for (std::size_t place = 0; place < normals.size(); ++place)
+  {
+    const Eigen::Vector3d& normal = normals[place];
+    const auto others = std::count_if(graph.begin(place), graph.end(place, nearest),
+      [&](std::uint32_t neighbor)
+      {
+        const Eigen::Vector3d offset = places.positions()[neighbor] - places.positions()[place];
+        return normal.dot(normals[neighbor]) < opposite &&
+               std::abs(normal.dot(offset)) < across * offset.norm();
+      });
+    opposed += others >= few ? 1 : 0;
+  }
+  return static_cast<double>(opposed) / static_cast<double>(normals.size());
+}
+
 } // namespace
 
 Viewpoints::Viewpoints(const std::string& text)
@@ -99,11 +121,10 @@ std::vector<Eigen::Vector3d> Viewpoints::directionsFrom(
   return directions;
 }
 
-std::vector<Eigen::Vector3d> normalsToward(
-  const Viewpoints& viewpoints, const DistinctPoints& places, int neighbors, Executor& executor)
+SeenNormals normalsToward(const std::vector<Eigen::Vector3d>& directions,
+  const DistinctPoints& places, int neighbors, Executor& executor)
 {
   constexpr double grazing = 0.26; // the sine of 15°
-  const std::vector<Eigen::Vector3d> directions = viewpoints.directionsFrom(places, executor);
   if (places.size() < 2)
   {
     std::vector<Eigen::Vector3d> normals = directions;
@@ -111,7 +132,7 @@ std::vector<Eigen::Vector3d> normalsToward(
     {
       normal = normal.isZero() ? Eigen::Vector3d(0, 0, 1) : normal;
     }
-    return places.byPoint(normals);
+    return {places.byPoint(normals)};
   }
   Progress progress(executor);
   const auto count = static_cast<std::size_t>(std::max(neighbors, 3));
@@ -128,7 +149,7 @@ std::vector<Eigen::Vector3d> normalsToward(
   }
   progress.set(0.6, 1);
   orientFrom(places, graph, clearness, grazing, normals, executor);
-  return places.byPoint(normals);
+  return {places.byPoint(normals), opposedShare(places, graph, normals)};
 }
 
 } // namespace winding

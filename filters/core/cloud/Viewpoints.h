@@ -30,6 +30,9 @@ public:
 
   bool empty() const { return positions_.empty() && direction_.isZero(); }
 
+  /// Returns whether there are several, which may see a wall from both sides.
+  bool areSeveral() const { return positions_.size() > 1; }
+
   /// Returns the text of the same viewpoints in coordinates that begin at `origin`, along axes with
   /// this inverse.
   std::string textAlong(const Eigen::Matrix3d& inverseAxes, const Eigen::Vector3d& origin) const;
@@ -43,14 +46,22 @@ private:
   Eigen::Vector3d direction_ = Eigen::Vector3d::Zero();
 };
 
+/// The normals of points, by point, and the share of places that have two or more of their nearest
+/// eight neighbours in the same plane look the other way.
+struct SeenNormals
+{
+  std::vector<Eigen::Vector3d> normals;
+  double opposed = 0;
+};
+
 /**
- * Estimates unit normals that look toward viewpoints, of planes through each place and its
+ * Estimates unit normals that look to `directions`, by place, of planes through each place and its
  * neighbours, as estimateNormals() finds them. Planes that are seen at a grazing angle, within 15°,
  * say little; their senses are handed on from neighbours, as estimateNormals() does it, beginning
  * with the others. A piece of the graph without others keeps what its clearest plane says. The bits
  * are the same for any executor and any order of the points. Throws Interrupted.
  */
-std::vector<Eigen::Vector3d> normalsToward(
-  const Viewpoints& viewpoints, const DistinctPoints& places, int neighbors, Executor& executor);
+SeenNormals normalsToward(const std::vector<Eigen::Vector3d>& directions,
+  const DistinctPoints& places, int neighbors, Executor& executor);
 
 } // namespace winding

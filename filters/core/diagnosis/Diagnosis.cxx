@@ -3,8 +3,10 @@
 #include "diagnosis/Diagnosis.h"
 
 #include "base/Digits.h"
+#include "base/Evenly.h"
 #include "cloud/CloudOrientation.h"
 #include "diagnosis/InsideOutAdvice.h"
+#include "diagnosis/MendNotes.h"
 #include "source/CoordinateOrder.h"
 #include "source/UnitScale.h"
 #include "sums/DirectSum.h"
@@ -15,6 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -24,27 +28,12 @@ namespace winding
 namespace
 {
 
-/// Walls that lines are drawn through to find whether they bound something.
-constexpr std::size_t wallsToCheck = 48;
-
 /// Returns the number of points that walls are measured at: more of large surfaces, for which few
 /// other sides are met.
 std::size_t wallPoints(const Surface& surface)
 {
   constexpr std::size_t large = 1 << 17;
   return surface.triangles.size() > large ? 1024 : 512;
-}
-
-/// Returns `count` items of a list, evenly chosen, or all where there are fewer.
-template <class Item> std::vector<Item> evenly(const std::vector<Item>& items, std::size_t count)
-{
-  std::vector<Item> chosen;
-  count = std::min(count, items.size());
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    chosen.push_back(items[i * items.size() / count]);
-  }
-  return chosen;
 }
 
 /// Returns whether a triangle is so thin that rounding of its corners decides which way it looks.
@@ -125,12 +114,10 @@ bool areOnSkin(const SampleLine* lines)
 
 Message emptySourceAdvice(bool isWelded)
 {
-  std::vector<Remedy> remedies = {{"give a surface or points", {}}};
-  if (isWelded)
-  {
-    remedies.push_back({"weld less", {Parameter::weldTolerance}});
-  }
-  return Message("the source is empty, so its field is 0", remedies);
+  const Remedy give = {"give a surface or points", {}};
+  const Remedy weldLess = {"weld less", {Parameter::weldTolerance}};
+  return Message("the source is empty, so its field is 0",
+    isWelded ? std::vector<Remedy>{give, weldLess} : std::vector<Remedy>{give});
 }
 
 Diagnosis::Diagnosis(SurfaceFacts facts)
@@ -216,10 +203,11 @@ const WallSamples& Diagnosis::walls(Executor& executor) const
     const SurfaceSamples& all = this->points(executor);
     WallSamples walls;
     walls.points = this->affordable(evenly(all.points, wallPoints(surface)), executor);
-    for (const SampleLine& line :
-      linesThrough(surface, walls.points, all, executor, all.some.empty() ? nullptr : &all.some))
+    walls.areWhole = all.some.empty();
+    walls.lines =
+      linesThrough(surface, walls.points, all, executor, walls.areWhole ? nullptr : &all.some);
+    for (const SampleLine& line : walls.lines)
     {
-      walls.thicknesses.push_back(line.wall);
       walls.shares.push_back(line.wallTriangle < 0 ? 1 : all.shareOf(surface, line.wallTriangle));
     }
     walls_ = std::move(walls);
@@ -227,11 +215,10 @@ const WallSamples& Diagnosis::walls(Executor& executor) const
   return *walls_;
 }
 
-/// Returns as many of some samples as lines can be drawn through.
 std::vector<SurfaceSample> Diagnosis::affordable(
-  const std::vector<SurfaceSample>& samples, Executor& executor) const
+  const std::vector<SurfaceSample>& samples, Executor& executor, double more) const
 {
-  const double share = affordableShare(*facts_.distinct, samples, this->points(executor));
+  const double share = affordableShare(*facts_.distinct, samples, this->points(executor), more);
   return evenly(samples, static_cast<std::size_t>(share * static_cast<double>(samples.size())));
 }
 
@@ -263,6 +250,32 @@ std::vector<Message> Diagnosis::ofSource(Executor& executor) const
   return *faults_;
 }
 
+std::optional<Message> Diagnosis::faultToTurn(Executor& executor) const
+{
+  if (facts_.isOriented || facts_.isSheet) // its side is given
+  {
+    return std::nullopt;
+  }
+  std::vector<Message> faults = this->ofSource(executor);
+  if (const auto open = this->ofOpenSide({}))
+  {
+    faults.push_back(*open);
+  }
+  const auto found = std::find_if(faults.begin(), faults.end(), proposesTurning);
+  return found == faults.end() ? std::nullopt : std::optional<Message>(*found);
+}
+
+bool Diagnosis::isSheet(Executor& executor) const
+{
+  if (cloud_ || facts_.isSheet || this->isClosed())
+  {
+    return false;
+  }
+  const std::lock_guard<std::recursive_mutex> lock(lock_);
+  this->ofSource(executor);
+  return facts_.openings.boundNothing() || (isOneSided_ && facts_.hasRims);
+}
+
 std::vector<Message> Diagnosis::findFaults(Executor& executor) const
 {
   std::vector<Message> faults;
@@ -275,13 +288,6 @@ std::vector<Message> Diagnosis::findFaults(Executor& executor) const
     return {twoSidedAdvice()};
   }
   const Surface& surface = *facts_.surface;
-  if (!facts_.isOriented)
-  {
-    if (const auto repeated = this->findRepeatedFaces(executor))
-    {
-      faults.push_back(*repeated);
-    }
-  }
   Contradictions found;
   constexpr std::size_t mostForPatches = 16384;
   if (this->doContradictionsMatter() && surface.triangles.size() <= mostForPatches)
@@ -292,6 +298,7 @@ std::vector<Message> Diagnosis::findFaults(Executor& executor) const
   {
     found.edges = facts_.contradictions.size();
   }
+  isOneSided_ = 2 * found.oneSidedTriangles > surface.triangles.size();
   if (found.oneSided > 0)
   {
     faults.emplace_back(std::to_string(found.oneSided) +
@@ -304,6 +311,14 @@ std::vector<Message> Diagnosis::findFaults(Executor& executor) const
       std::vector<Remedy>{{"turn them", {{Parameter::orientFaces, 1}}}},
       "two have the same sense at " + std::to_string(found.edges) +
         (found.edges == 1 ? " edge" : " edges"));
+  }
+  const auto repeated =
+    facts_.isOriented ? std::optional<Message>() : this->findRepeatedFaces(executor);
+  if (repeated)
+  {
+    // The larger fault comes first.
+    const bool areFew = surface.triangles.size() - facts_.distinct->triangles.size() < found.edges;
+    faults.insert(areFew ? faults.end() : faults.begin(), *repeated);
   }
   if (const auto open = this->findOpenParts(executor))
   {
@@ -410,7 +425,13 @@ std::optional<Message> Diagnosis::findOpenParts(Executor& executor) const
     }
   }
   constexpr double least = 0.01;
-  return open > least * all && this->changeInside(inside)
+  // The remedy leaves out what is found so.
+  const auto areFound = [&]
+  {
+    const Surface& surface = *facts_.surface;
+    return openPartsInside(surface, edgesOf(surface, executor), executor).count > 0;
+  };
+  return open > least * all && this->changeInside(inside) && areFound()
            ? std::optional<Message>(openPartsAdvice("w changes around them, which are about " +
                                                     percentOf(open / all) + " of the surface"))
            : std::nullopt;
@@ -638,6 +659,7 @@ Facing Diagnosis::facing(
   }
   else if (areSheets && !facts_.openings.areWide())
   {
+    facing.isOfSheets = true;
     facing.warning = openSheetsAdvice();
   }
   return facing;
@@ -650,11 +672,7 @@ std::optional<ThinParts> Diagnosis::thinParts(const Grid& grid,
   {
     return std::nullopt;
   }
-  ThinParts parts = thinPartsOf(this->walls(executor), grid, isSampleInside);
-  if (parts.areWorthTelling())
-  {
-    this->keepBounds(isInside, grid, executor, parts);
-  }
+  ThinParts parts = thinPartsOf(this->boundingWalls(isInside, executor), grid, isSampleInside);
   // Parts of larger surfaces are looked at where some of it is not shown.
   constexpr std::size_t few = 1 << 15, most = 1 << 16;
   const std::size_t triangles = facts_.distinct->triangles.size();
@@ -666,23 +684,30 @@ std::optional<ThinParts> Diagnosis::thinParts(const Grid& grid,
   return parts;
 }
 
-/// Leaves of thin parts what bounds something: it has the outside before it, and the inside behind,
-/// as far as both ends of lines agree. All of a large closed surface counts.
-void Diagnosis::keepBounds(
-  const InsideTest& isInside, const Grid& grid, Executor& executor, ThinParts& parts) const
+WallSamples Diagnosis::boundingWalls(const InsideTest& isInside, Executor& executor) const
 {
-  const std::lock_guard<std::recursive_mutex> lock(lock_);
+  if (cloud_)
+  {
+    return {};
+  }
+  WallSamples walls = this->walls(executor);
   const auto isBound = [&](const SampleLine& line)
   {
     return line.isClear() && isInside(line.behind) && !isInside(line.before);
   };
-  const WallSamples& walls = this->walls(executor);
-  std::vector<std::size_t> chosen = walls.inOrder();
-  std::vector<double> found;
-  constexpr std::size_t few = 1 << 16;
-  const Surface& surface = *facts_.distinct;
-  double share = 1;
-  if (!this->isClosed())
+  const double scale = unitScale(facts_.distinct->bounds);
+  for (SurfaceSample& point : walls.points)
+  {
+    point.weight /= scale * scale;
+  }
+  if (walls.areWhole)
+  {
+    for (SampleLine& line : walls.lines)
+    {
+      line.wall = isBound(line) ? line.wall : std::numeric_limits<double>::infinity();
+    }
+  }
+  else if (!this->isClosed())
   {
     const Lines& lines = this->lines(executor);
     double all = 0, bounds = 0;
@@ -691,40 +716,95 @@ void Diagnosis::keepBounds(
       all += lines.points[i].weight;
       bounds += isBound(*lines.ofPoint(i)) ? lines.points[i].weight : 0;
     }
-    share = all > 0 ? bounds / all : 0;
-  }
-  else if (surface.triangles.size() <= few)
-  {
-    chosen = evenly(chosen, wallsToCheck);
-    if (wallLines_.empty())
+    for (double& share : walls.shares)
     {
-      std::vector<SurfaceSample> points;
-      for (const std::size_t i : chosen)
-      {
-        points.push_back(walls.points[i]);
-      }
-      wallLines_ = linesThrough(surface, points, this->points(executor), executor);
+      share = bounds > 0 ? share * all / bounds : std::numeric_limits<double>::infinity();
     }
-    std::vector<std::size_t> bounds;
-    std::size_t thin = 0, bound = 0;
-    for (std::size_t i = 0; i < chosen.size(); ++i)
-    {
-      const bool isThin = walls.thicknesses[chosen[i]] < grid.spacing.norm();
-      thin += isThin;
-      if (isBound(wallLines_[i]))
-      {
-        bound += isThin;
-        bounds.push_back(chosen[i]);
-      }
-    }
-    share = thin > 0 ? static_cast<double>(bound) / static_cast<double>(thin) : 1;
-    chosen = std::move(bounds);
   }
-  for (const std::size_t i : chosen)
+  return walls;
+}
+
+bool Diagnosis::hasEnclosedPoints(Executor& executor) const
+{
+  if (cloud_ || facts_.distinct->triangles.empty())
   {
-    found.push_back(walls.thicknesses[i]);
+    return false;
   }
-  parts.keep(share, found, grid);
+  const Lines& found = this->lines(executor);
+  int places = 0;
+  for (std::size_t i = 0; i < found.points.size(); ++i)
+  {
+    const SampleLine* const lines = found.ofPoint(i);
+    places += std::all_of(lines + 1, lines + Lines::perPoint,
+      [](const SampleLine& line) { return line.facesBefore > 0 && line.facesBehind > 0; });
+  }
+  return places > 1;
+}
+
+std::vector<SampleLine> Diagnosis::linesAlong(WallSamples& walls, Executor& executor) const
+{
+  if (cloud_)
+  {
+    return {};
+  }
+  walls.leave(this->affordable(walls.points, executor).size());
+  std::vector<SurfaceSample> places = walls.points;
+  for (SurfaceSample& place : places)
+  {
+    place.triangle = -1; // it is one of another surface
+  }
+  return linesThrough(*facts_.distinct, places, this->points(executor), executor);
+}
+
+std::vector<LineHit> Diagnosis::hits(
+  const std::vector<SurfaceSample>& samples, Executor& executor) const
+{
+  return hitsOfLines(*facts_.distinct, samples, this->points(executor), executor);
+}
+
+std::size_t Diagnosis::pieces() const
+{
+  constexpr std::size_t most = 1 << 16;
+  const std::lock_guard<std::recursive_mutex> lock(lock_);
+  if (!pieces_)
+  {
+    const bool areFew = !cloud_ && facts_.distinct->triangles.size() <= most;
+    pieces_ = areFew ? piecesOf(*facts_.distinct) : 0;
+  }
+  return *pieces_;
+}
+
+double Diagnosis::volume(Executor& executor) const
+{
+  const std::lock_guard<std::recursive_mutex> lock(lock_);
+  if (!volume_ && !this->isClosedSurface())
+  {
+    volume_ = 0;
+  }
+  if (!volume_)
+  {
+    const Surface& surface = *facts_.distinct;
+    const ChainView chain(surface);
+    const Eigen::Vector3d middle = surface.bounds.center();
+    constexpr std::size_t perBlock = 16384;
+    std::vector<double> sums((chain.size() + perBlock - 1) / perBlock, 0);
+    runBlocks(
+      chain.size(), perBlock,
+      [&](std::size_t block, std::size_t first, std::size_t last)
+      {
+        for (std::size_t i = first; i < last; ++i)
+        {
+          const Triangle& t = chain[i];
+          const Eigen::Vector3d a = surface.vertices[t[0]] - middle;
+          const Eigen::Vector3d b = surface.vertices[t[1]] - middle;
+          const Eigen::Vector3d c = surface.vertices[t[2]] - middle;
+          sums[block] += chain.multiplicity(i) * a.dot(b.cross(c)) / 6;
+        }
+      },
+      executor);
+    volume_ = std::accumulate(sums.begin(), sums.end(), 0.0);
+  }
+  return *volume_;
 }
 
 } // namespace winding

@@ -50,6 +50,7 @@ struct Facing
 {
   bool looksInward = false; ///< as a whole or in part
   bool isInsideOut = false; ///< as a whole
+  bool isOfSheets = false;  ///< whether it is of open sheets, which bound nothing
   std::optional<Message> warning;
 };
 
@@ -96,6 +97,14 @@ public:
   /// Returns what is wrong with the source, what spoils most first.
   std::vector<Message> ofSource(Executor& executor) const;
 
+  /// Returns the fault for which faces are best turned: they contradict each other, are there more
+  /// than once, or look inward through one open side. Others take the result (facing()).
+  std::optional<Message> faultToTurn(Executor& executor) const;
+
+  /// Returns whether a surface bounds nothing: its openings leave no room for an inside, or most
+  /// of it has one side only.
+  bool isSheet(Executor& executor) const;
+
   /// Returns what to do about a source that is open on a whole side, where it matters.
   std::optional<Message> ofOpenSide(const OpenSideUse& use) const;
 
@@ -116,6 +125,37 @@ public:
   /// leave out surfaces that look inward, whose inside is another one.
   std::optional<ThinParts> thinParts(const Grid& grid, const IsSampleInside& isSampleInside,
     const InsideTest& isInside, Executor& executor) const;
+
+  /// Returns the walls of a surface. They are thick where they do not bound the inside: the outside
+  /// lies before them and the inside behind, as far as both ends of lines agree. All walls of large
+  /// closed surfaces bound it, and of large open ones a share.
+  /// Weights are areas. A cloud has no walls.
+  WallSamples boundingWalls(const InsideTest& isInside, Executor& executor) const;
+
+  /// Finds what lines through walls of other surfaces meet, and leaves as many of these walls as
+  /// lines can be drawn through. Returns nothing for clouds, and leaves all.
+  std::vector<SampleLine> linesAlong(WallSamples& walls, Executor& executor) const;
+
+  /// Returns as many of some samples as lines can be drawn through, evenly chosen, by `more` tests
+  /// than the source alone would get. Not for clouds.
+  std::vector<SurfaceSample> affordable(
+    const std::vector<SurfaceSample>& samples, Executor& executor, double more = 0) const;
+
+  /// Finds all triangles of a surface that lines along axes meet, ordered by triangle.
+  std::vector<LineHit> hits(const std::vector<SurfaceSample>& samples, Executor& executor) const;
+
+  bool isClosedSurface() const { return !cloud_ && this->isClosed(); }
+
+  /// Returns whether cavities are likely: of two or more places just outside of the surface, lines
+  /// along all axes meet it in both directions.
+  bool hasEnclosedPoints(Executor& executor) const;
+
+  /// Returns the number of connected sets of four triangles or more, or 0 where there are more than
+  /// 65 536 triangles.
+  std::size_t pieces() const;
+
+  /// Returns the integral of w over space, or 0 where the source is not closed.
+  double volume(Executor& executor) const;
 
 private:
   /// Lines through some points of the area and of repeated triangles.
@@ -145,8 +185,6 @@ private:
   const SurfaceSamples& points(Executor& executor) const;
   const Lines& lines(Executor& executor) const;
   const WallSamples& walls(Executor& executor) const;
-  std::vector<SurfaceSample> affordable(
-    const std::vector<SurfaceSample>& samples, Executor& executor) const;
   std::vector<Message> findFaults(Executor& executor) const;
   bool doContradictionsMatter() const;
   std::optional<Message> findRepeatedFaces(Executor& executor) const;
@@ -156,8 +194,6 @@ private:
   bool hasInwardSolid(Executor& executor) const;
   bool looksMostlyInward(Executor& executor) const;
   bool changeInside(const std::vector<SurfaceSample>& points) const;
-  void keepBounds(
-    const InsideTest& isInside, const Grid& grid, Executor& executor, ThinParts& parts) const;
 
   SurfaceFacts facts_ = {};
   const PointCloud* cloud_ = nullptr;
@@ -166,8 +202,10 @@ private:
   mutable std::optional<SurfaceSamples> points_;
   mutable std::optional<Lines> lines_;
   mutable std::optional<WallSamples> walls_;
-  mutable std::vector<SampleLine> wallLines_; ///< through some of the walls, the thinnest first
   mutable std::optional<std::vector<Message>> faults_;
+  mutable bool isOneSided_ = false; ///< whether most triangles have one side only; with faults_
+  mutable std::optional<double> volume_;
+  mutable std::optional<std::size_t> pieces_;
   mutable std::optional<bool> hasInwardPart_, isInwardCloud_;
 };
 

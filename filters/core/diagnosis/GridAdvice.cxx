@@ -20,7 +20,7 @@ std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, const 
       "the grid misses the source", {{"choose a grid around it", {Parameter::samplingBounds}}});
   }
   const Eigen::Vector3d voxels = grid.inGridUnits(source.max()) - grid.inGridUnits(source.min());
-  constexpr double fewest = 3;
+  constexpr double fewest = 3 - 1e-9; // up to rounding
   int thinnest = -1;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -32,8 +32,12 @@ std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, const 
   }
   if (thinnest >= 0)
   {
-    const std::string facts = joined("it has ", inDigits(voxels[thinnest], 2), " of them along ",
+    std::string facts = joined("it has ", inDigits(voxels[thinnest], 2), " of them along ",
       "xyz"[thinnest], result.isEmpty ? ", and no sample is inside" : "");
+    if (const int needed = resolutionFor(source.sizes()[thinnest] / fewest, grid))
+    {
+      facts += "; a resolution of " + std::to_string(needed) + " would give it three";
+    }
     return Message("the source is thinner than three voxels",
       {smallerVoxels(), {"name voxels along each axis", {Parameter::samplingDimensions}}}, facts);
   }
@@ -65,6 +69,12 @@ std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, const 
     return thinPartsAdvice(*result.parts, grid, result.mayTouch);
   }
   return std::nullopt;
+}
+
+Message crumbsNote(std::size_t crumbs, std::size_t pieces)
+{
+  return {"crumbs came out", {},
+    std::to_string(crumbs) + " of " + std::to_string(pieces) + " parts have eight voxels or fewer"};
 }
 
 void refuseFlatGrid(const Grid& grid)
@@ -146,6 +156,13 @@ std::optional<Message> shapeAdvice(
     return Message("nothing is left of the solid, so the surface is empty", remedies);
   }
   return std::nullopt;
+}
+
+bool hasWhole(const Grid& grid, const Bounds& source)
+{
+  const Eigen::Vector3d low = grid.inGridUnits(source.min()), high = grid.inGridUnits(source.max());
+  return (low.array() >= -0.5).all() &&
+         (high.array() <= grid.dimensions.cast<double>().array() - 0.5).all();
 }
 
 bool missesSource(const Grid& grid, const Bounds& source)

@@ -31,6 +31,10 @@ struct GridResult
  */
 std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, const GridResult& result);
 
+/// The warning for pieces of a result that have a few voxels. Tips and noise leave some, and finer
+/// grids may leave more.
+Message crumbsNote(std::size_t crumbs, std::size_t pieces);
+
 /// Throws Refusal for a grid with one voxel along an axis: it has no edges for a surface to cross.
 void refuseFlatGrid(const Grid& grid);
 
@@ -57,5 +61,8 @@ inline Remedy lowerThreshold()
 
 /// Returns whether a grid has no voxel in common with the bounds of a source.
 bool missesSource(const Grid& grid, const Bounds& source);
+
+/// Returns whether the voxels of a grid cover the bounds of a source.
+bool hasWhole(const Grid& grid, const Bounds& source);
 
 } // namespace winding

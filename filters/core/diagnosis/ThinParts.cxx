@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace winding
@@ -18,10 +19,19 @@ namespace
 /// (ThinPartsTest.cxx).
 constexpr double leastLostShare = 0.05, leastThinShare = 0.08;
 
+/// The triangles of a piece that may bound something.
+constexpr std::size_t fewestTriangles = 4;
+
 /// The samples from `first` to `last`, which counts.
 struct SampleBox
 {
   Eigen::Array3i first, last;
+
+  /// Returns whether test(i, j, k) is true for all of the samples.
+  template <class Test> bool hasAll(const Test& test) const
+  {
+    return !this->hasAny([&](int i, int j, int k) { return !test(i, j, k); });
+  }
 
   /// Returns whether test(i, j, k) is true for any of the samples.
   template <class Test> bool hasAny(const Test& test) const
@@ -96,12 +106,11 @@ SolidBoxes solidBoxesOf(const Surface& surface, const Grid& grid)
     ++triangles[numbers[t[0]]];
   }
   constexpr double mostVoxels = 2;
-  constexpr std::size_t fewest = 4; // triangles that bound something
   SolidBoxes solids;
   for (std::size_t i = 0; i < boxes.size(); ++i)
   {
     const Bounds& box = boxes[i];
-    if (triangles[i] < fewest)
+    if (triangles[i] < fewestTriangles)
     {
       continue;
     }
@@ -119,36 +128,85 @@ SolidBoxes solidBoxesOf(const Surface& surface, const Grid& grid)
   return solids;
 }
 
-double voxelOf(const Grid& grid)
+/// Returns the thickness of a box with these edges along a direction of unit length.
+double thicknessOf(const Eigen::Vector3d& edges, const Eigen::Vector3d& direction)
 {
-  return grid.spacing.norm() / std::sqrt(3.0);
+  return direction.cwiseAbs().dot(edges);
 }
 
 } // namespace
 
+void WallSamples::add(const WallSamples& from, std::size_t i)
+{
+  points.push_back(from.points[i]);
+  lines.push_back(from.lines[i]);
+  shares.push_back(from.shares[i]);
+}
+
+void WallSamples::leave(std::size_t count)
+{
+  WallSamples left;
+  left.areWhole = areWhole;
+  for (std::size_t i = 0; i < count && count < points.size(); ++i)
+  {
+    left.add(*this, i * points.size() / count);
+  }
+  if (count < points.size())
+  {
+    *this = std::move(left);
+  }
+}
+
+void WallSamples::move(double distance)
+{
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    points[i].position += distance * points[i].normal;
+    double& wall = lines[i].wall;
+    wall += 2 * distance;
+    points[i].weight = wall > 0 ? points[i].weight : 0;
+    wall = wall > 0 ? wall : std::numeric_limits<double>::infinity();
+  }
+}
+
+bool isInsideNear(const Grid& grid, const Eigen::Vector3d& point, const IsSampleInside& isInside)
+{
+  const auto samples = samplesAround(grid, point);
+  return !samples || samples->hasAny(isInside);
+}
+
 ThinParts thinPartsOf(const WallSamples& walls, const Grid& grid, const IsSampleInside& isInside)
 {
-  const double diagonal = grid.spacing.norm(), voxel = voxelOf(grid);
   double all = 0, lost = 0, thin = 0;
-  std::size_t found = 0;
   ThinParts parts;
   for (std::size_t i = 0; i < walls.points.size(); ++i)
   {
-    const auto samples = samplesAround(grid, walls.points[i].position);
+    const SurfaceSample& point = walls.points[i];
+    const auto samples = samplesAround(grid, point.position);
     if (!samples)
     {
       continue;
     }
-    const double weight = walls.points[i].weight, thickness = walls.thicknesses[i];
     const bool isLost = isInside && !samples->hasAny(isInside);
-    all += weight;
-    lost += isLost && thickness < diagonal ? weight / walls.shares[i] : 0;
-    thin += thickness < voxel ? weight / walls.shares[i] : 0;
-    found += thickness < (isLost ? diagonal : voxel);
+    if (isInside && samples->hasAll(isInside))
+    {
+      continue; // others fill what lies before it
+    }
+    all += point.weight;
     parts.hasLostPoints |= isLost;
+    if (walls.lines[i].wall < thicknessOf(grid.spacing, point.normal))
+    {
+      const double weight = point.weight / walls.shares[i];
+      thin += weight;
+      parts.thinVolume += weight * walls.lines[i].wall / 2; // a wall has two sides
+      lost += isLost ? weight : 0;
+      parts.voxels.push_back(
+        walls.lines[i].wall / thicknessOf(Eigen::Vector3d::Ones(), point.normal));
+    }
   }
+  std::sort(parts.voxels.begin(), parts.voxels.end());
   constexpr std::size_t fewest = 4; // walls, as chance may find some
-  if (found >= fewest)
+  if (parts.voxels.size() >= fewest)
   {
     parts.lostShare = std::min(1.0, lost / all);
     parts.thinShare = std::min(1.0, thin / all);
@@ -156,33 +214,15 @@ ThinParts thinPartsOf(const WallSamples& walls, const Grid& grid, const IsSample
   return parts;
 }
 
-std::vector<std::size_t> WallSamples::inOrder() const
+double ThinParts::largestVoxel() const
 {
-  std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  if (voxels.empty())
   {
-    if (std::isfinite(thicknesses[i]))
-    {
-      found.push_back(i);
-    }
+    return 0;
   }
-  std::sort(found.begin(), found.end(),
-    [this](std::size_t a, std::size_t b) { return thicknesses[a] < thicknesses[b]; });
-  return found;
-}
-
-void ThinParts::keep(double share, const std::vector<double>& walls, const Grid& grid)
-{
-  lostShare *= share;
-  thinShare *= share;
-  const double limit = thinShare > lostShare ? voxelOf(grid) : grid.spacing.norm();
-  const auto thin = std::lower_bound(walls.begin(), walls.end(), limit) - walls.begin();
-  if (thin > 0)
-  {
-    // At the thickness that is kept a fiftieth of the surface is lost, or a tenth of its thin part.
-    const double left = std::clamp(0.02 / std::max(lostShare, thinShare), 0.1, 0.9);
-    thickness = walls[static_cast<std::size_t>(left * static_cast<double>(thin - 1))];
-  }
+  // A fiftieth of the surface is thinner than this voxel.
+  const double left = std::clamp(0.02 / std::max(lostShare, thinShare), 0.0, 0.9);
+  return voxels[static_cast<std::size_t>(left * static_cast<double>(voxels.size() - 1))];
 }
 
 void countLostComponents(
@@ -200,41 +240,108 @@ void countLostComponents(
   parts.components = parts.lostComponents > 0 ? solids.count : 0;
 }
 
-bool ThinParts::areWorthTelling() const
+std::size_t piecesOf(const Surface& surface)
+{
+  VertexPieces pieces(surface);
+  std::vector<std::size_t> triangles(surface.vertices.size(), 0); // of each piece, by first vertex
+  for (const Triangle& t : surface.triangles)
+  {
+    ++triangles[static_cast<std::size_t>(pieces.sets.find(t[0]))];
+  }
+  return static_cast<std::size_t>(std::count_if(triangles.begin(), triangles.end(),
+    [](std::size_t count) { return count >= fewestTriangles; }));
+}
+
+int resolutionFor(double voxel, const Grid& grid)
+{
+  const double longest = grid.dimensions.cast<double>().cwiseProduct(grid.spacing).maxCoeff();
+  constexpr double most = 4096;
+  const double needed = longest / voxel;
+  // Two digits are enough for an estimate.
+  const double digits = needed > 1000 ? 100 : 10;
+  return needed < most ? static_cast<int>(digits * std::ceil(needed / digits)) : 0;
+}
+
+bool ThinParts::areMany() const
 {
   return lostShare >= leastLostShare || thinShare >= leastThinShare;
 }
 
-Message thinPartsAdvice(const ThinParts& parts, const Grid& grid, bool mayTouch)
+bool ThinParts::areWorthTelling() const
 {
+  // Tips and sharp edges come out in pieces, too, which are next to nothing.
+  constexpr double least = 0.005;
+  const bool isBroken = pieces > sourcePieces &&
+                        (thinVolume > least * sourceVolume || std::abs(volumeRatio - 1) > least);
+  return this->areMany() || this->isVolumeOff() || isBroken;
+}
+
+bool ThinParts::isVolumeOff() const
+{
+  constexpr double most = 0.02;
+  return std::abs(volumeRatio - 1) > most;
+}
+
+Message thinPartsAdvice(
+  const ThinParts& parts, const Grid& grid, bool mayTouch, const std::string& what)
+{
+  const std::vector<Remedy> touching =
+    mayTouch ? std::vector<Remedy>{touchedVoxels()} : std::vector<Remedy>();
+  std::vector<Remedy> remedies = {smallerVoxels()};
   if (!parts.areWorthTelling())
   {
-    return Message("parts are smaller than a voxel",
-      mayTouch ? std::vector<Remedy>{smallerVoxels(), touchedVoxels()}
-               : std::vector<Remedy>{smallerVoxels()},
+    remedies.insert(remedies.end(), touching.begin(), touching.end());
+    return Message("parts are smaller than a voxel", remedies,
       std::to_string(parts.lostComponents) + " of " + std::to_string(parts.components) +
         " closed parts have no sample inside");
   }
-  std::string facts = parts.lostShare >= leastLostShare
-                        ? "about " + percentOf(parts.lostShare) + " of the surface is lost"
-                        : "about " + percentOf(parts.thinShare) + " of the surface may be lost";
-  const double longest = grid.dimensions.cast<double>().cwiseProduct(grid.spacing).maxCoeff();
-  constexpr double mostVoxels = 4096; // along the longest side
-  const double needed = parts.thickness > 0 ? longest / parts.thickness : mostVoxels;
-  std::vector<Remedy> remedies;
-  if (needed < mostVoxels)
+  const bool isOfSource = what == "parts";
+  std::string facts;
+  const auto add = [&facts](const std::string& fact)
   {
-    remedies.push_back(smallerVoxels());
-    // Two digits are enough for an estimate.
-    const double digits = needed > 1000 ? 100 : 10;
-    facts += "; a resolution of " +
-             std::to_string(std::lround(digits * std::ceil(needed / digits))) + " would keep it";
-  }
-  if (mayTouch)
+    facts += (facts.empty() ? "" : "; ") + fact;
+  };
+  double voxel = parts.largestVoxel();
+  if (parts.areMany())
   {
-    remedies.push_back(touchedVoxels());
+    add(parts.lostShare >= leastLostShare
+          ? "about " + percentOf(parts.lostShare) + " of the surface is lost"
+          : "about " + percentOf(parts.thinShare) + " of the surface may be lost");
   }
-  return Message("parts are thinner than a voxel", remedies, facts);
+  if (parts.isVolumeOff())
+  {
+    const double off = parts.volumeRatio - 1;
+    add(isOfSource ? "the volume is " + percentOf(std::abs(off)) + (off < 0 ? " less" : " more") +
+                       " than the source's"
+                   : "the volume is about " + percentOf(std::abs(off)) +
+                       (off < 0 ? " too small" : " too large"));
+    if (!parts.areMany())
+    {
+      // Edges that are cut off take a share that falls with the square of the voxel.
+      constexpr double wanted = 0.015;
+      const double ofEdges = grid.spacing.minCoeff() * std::sqrt(wanted / std::abs(off));
+      voxel = voxel > 0 ? std::min(voxel, ofEdges) : ofEdges;
+    }
+  }
+  if (parts.pieces > parts.sourcePieces)
+  {
+    add("it is in " + std::to_string(parts.pieces) + " pieces instead of " +
+        std::to_string(parts.sourcePieces));
+  }
+  const int needed = resolutionFor(voxel, grid);
+  if (needed > 0)
+  {
+    add("a resolution of " + std::to_string(needed) + " would keep it");
+  }
+  else if (parts.areMany())
+  {
+    remedies.clear();
+  }
+  remedies.insert(remedies.end(), touching.begin(), touching.end());
+  return Message(parts.areMany() ? what + " are thinner than a voxel"
+                                 : std::string("the grid is too coarse for the ") +
+                                     (isOfSource ? "source" : "result"),
+    remedies, facts);
 }
 
 } // namespace winding

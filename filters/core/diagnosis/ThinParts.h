@@ -3,24 +3,33 @@
 #pragma once
 
 #include "base/Message.h"
-#include "rays/SurfaceSamples.h"
+#include "rays/SampleLines.h"
 #include "source/Grid.h"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace winding
 {
 
-/// How thick the walls of a surface are.
+/// The walls of a surface, at some of its points.
 struct WallSamples
 {
   std::vector<SurfaceSample> points;
-  std::vector<double> thicknesses; ///< by point; infinite where no other side was met
-  std::vector<double> shares;      ///< by point: probability that its other side was met
+  std::vector<SampleLine> lines; ///< by point
+  std::vector<double> shares;    ///< by point: probability that its other side was met
+  bool areWhole = true;          ///< whether all triangles could be met
 
-  /// Returns the indices of the walls whose other side was met, the thinnest first.
-  std::vector<std::size_t> inOrder() const;
+  /// Adds a wall of others.
+  void add(const WallSamples& from, std::size_t i);
+
+  /// Leaves `count` walls, evenly chosen, or all where there are fewer.
+  void leave(std::size_t count);
+
+  /// Moves the surface outward by `distance`, or inward if that is negative, and its walls with it.
+  /// Walls end where both sides meet.
+  void move(double distance);
 };
 
 /// The part of a surface that a grid does not show, since what it encloses has no sample inside.
@@ -28,26 +37,45 @@ struct ThinParts
 {
   double lostShare = 0;           ///< of the area, 0 to 1, that no sample near shows
   double thinShare = 0;           ///< of the area that bounds walls thinner than a voxel
-  double thickness = 0;           ///< most of these parts are as thick, or 0 if it is not known
+  double thinVolume = 0;          ///< of these walls, if weights are areas
+  std::vector<double> voxels;     ///< edges of cubes that thin walls are as thick as, ascending
   bool hasLostPoints = false;     ///< whether no sample shows some of the points, thin or not
   std::size_t components = 0;     ///< connected sets of triangles; 0 where none is lost
   std::size_t lostComponents = 0; ///< that no sample is inside of
+  double volumeRatio = 1;         ///< of the result's volume to the source's, 1 if it is not known
+  double sourceVolume = 0;        ///< or 0 if it is not known
+  std::size_t pieces = 0;         ///< of the result, or 0 if that is not known
+  std::size_t sourcePieces = 0;   ///< closed parts of the source
 
   /// Returns whether a twentieth of the surface or more is lost, or a twelfth is thinner than a
   /// voxel.
+  bool areMany() const;
+
+  bool isVolumeOff() const;
+
+  /// Returns whether areMany(), or the volume is a fiftieth off, or there are new pieces that are
+  /// more than tips and edges.
   bool areWorthTelling() const;
 
-  /// Leaves a share of these parts. Their thicknesses are among `walls`, in ascending order.
-  void keep(double share, const std::vector<double>& walls, const Grid& grid);
+  /// Returns the edge of voxels that keep nearly all of these parts; 0 where nothing is thin.
+  double largestVoxel() const;
 };
 
 /// Returns whether the sample (i, j, k) of a grid is inside.
 using IsSampleInside = std::function<bool(int i, int j, int k)>;
 
-/// Estimates which part of a surface is lost on a grid: of the cell of samples round a point no
-/// corner is inside, and the wall there is thinner than the cell's diagonal. Points in the grid's
-/// outer half voxel do not count.
+/**
+ * Estimates which part of a surface is thinner than a voxel on a grid, and which part of that is
+ * lost: of the cell of samples round a point no corner is inside.
+ *
+ * A voxel is as thick as it is seen from along the wall's normal n: |n₁| h₁ + |n₂| h₂ + |n₃| h₃ for
+ * edges h. Walls as thick as that separate their sides on a grid of any position. Points in the
+ * grid's outer half voxel do not count.
+ */
 ThinParts thinPartsOf(const WallSamples& walls, const Grid& grid, const IsSampleInside& isInside);
+
+/// Returns whether any sample of the cell round a point is inside; true beyond the grid.
+bool isInsideNear(const Grid& grid, const Eigen::Vector3d& point, const IsSampleInside& isInside);
 
 /// Counts the connected sets of triangles of a closed surface that are lost: they are smaller than
 /// two voxels along some axis, and no sample of their bounds and next to them is inside. Takes 25
@@ -55,8 +83,17 @@ ThinParts thinPartsOf(const WallSamples& walls, const Grid& grid, const IsSample
 void countLostComponents(
   const Surface& surface, const Grid& grid, const IsSampleInside& isInside, ThinParts& parts);
 
+/// Returns the number of connected sets of four triangles or more.
+std::size_t piecesOf(const Surface& surface);
+
+/// Returns the number of cubic voxels of this edge along the longest side of a grid, rounded up to
+/// two digits; 0 where it is more than 4096.
+int resolutionFor(double voxel, const Grid& grid);
+
 /// Returns what to do about parts thinner than a voxel, or about components that are lost.
 /// `mayTouch` says whether voxels that the source touches could count.
-Message thinPartsAdvice(const ThinParts& parts, const Grid& grid, bool mayTouch);
+/// `what` says what the parts are.
+Message thinPartsAdvice(
+  const ThinParts& parts, const Grid& grid, bool mayTouch, const std::string& what = "parts");
 
 } // namespace winding

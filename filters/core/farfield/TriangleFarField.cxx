@@ -130,16 +130,7 @@ std::shared_ptr<const FarField> TriangleFarField::suiting(
 
 std::shared_ptr<const FarField> TriangleFarField::whole(Executor& executor) const
 {
-  if (!hasWhole_.load(std::memory_order_acquire))
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!whole_)
-    {
-      whole_ = this->build(SplitRule(), executor);
-      hasWhole_.store(true, std::memory_order_release);
-    }
-  }
-  return whole_;
+  return whole_.get([&] { return this->build(SplitRule(), executor); });
 }
 
 std::shared_ptr<const FarField> TriangleFarField::build(

@@ -4,11 +4,11 @@
 
 #include "base/Bounds.h"
 #include "base/Executor.h"
+#include "base/Lazy.h"
 #include "base/Views.h"
 #include "farfield/FarField.h"
 #include "source/Surface.h"
 
-#include <atomic>
 #include <memory>
 #include <mutex>
 
@@ -28,8 +28,9 @@ public:
     const Bounds& bounds, const FarFieldAccuracy& accuracy);
 
   /// Returns the far field that suits the samples, which is never null. It may be called from any
-  /// thread; one at a time builds. A single sample has no distance to others, and gets the whole
-  /// triangles: nothing is locked for these once their tree is there. Throws Interrupted.
+  /// thread; one at a time builds the tree of whole triangles, and one a tree of cut ones. A single
+  /// sample has no distance to others, and gets the whole triangles: nothing is locked for these
+  /// once their tree is there. Throws Interrupted.
   std::shared_ptr<const FarField> suiting(const Grid& grid, Executor& executor) const;
   std::shared_ptr<const FarField> suiting(const VectorsView& samples, Executor& executor) const;
 
@@ -45,10 +46,9 @@ private:
   FarFieldAccuracy accuracy_;
 
   mutable std::mutex mutex_;
-  mutable std::atomic<bool> hasWhole_{false};
-  mutable std::shared_ptr<const FarField> whole_; ///< never changed again once there
-  mutable SplitRule rule_;                        ///< the rule that `last_` was cut by
-  mutable std::shared_ptr<const FarField> last_;  ///< the last one with cut triangles
+  Lazy<std::shared_ptr<const FarField>> whole_;
+  mutable SplitRule rule_;                       ///< the rule that `last_` was cut by
+  mutable std::shared_ptr<const FarField> last_; ///< the last one with cut triangles
 };
 
 } // namespace winding

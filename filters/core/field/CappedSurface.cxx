@@ -183,21 +183,25 @@ void CappedSurface::evaluateByFarField(
   const std::shared_ptr<const FarField> farField = capFarField_->suiting(grid, executor);
   GridCells cells(grid, extent, farField->scale(), farField->order());
   std::vector<FarFieldTask> tasks = farField->tasks(cells, cells.taskLevel());
-  std::once_flag isFanAskedFor;
-  std::shared_ptr<const FarField> fan;
-  std::map<std::array<int, 3>, FarFieldTask> fanTasks; // by cell
+  struct Fan
+  {
+    std::shared_ptr<const FarField> farField;
+    std::map<std::array<int, 3>, FarFieldTask> tasks; // by cell
+  };
+  const Lazy<Fan> fanOnCap;
   const auto indexOf = [](const FarFieldTask& task)
   {
     return std::array<int, 3>{task.cell.index[0], task.cell.index[1], task.cell.index[2]};
   };
-  const auto askForFan = [&]
+  const auto makeFan = [&]
   {
     SerialExecutor serial;
-    fan = this->otherCap().fanFarField()->suiting(grid, serial);
-    for (FarFieldTask& task : fan->tasks(cells, cells.taskLevel()))
+    Fan fan = {this->otherCap().fanFarField()->suiting(grid, serial), {}};
+    for (FarFieldTask& task : fan.farField->tasks(cells, cells.taskLevel()))
     {
-      fanTasks.emplace(indexOf(task), std::move(task));
+      fan.tasks.emplace(indexOf(task), std::move(task));
     }
+    return fan;
   };
   // Cells with the same rows are put together, so that the rows' crossings are found once.
   const auto rowsOf = [](const FarFieldTask& task)
@@ -239,8 +243,8 @@ void CappedSurface::evaluateByFarField(
         farField->evaluate(barCells, tasks[task], true);
         if (bar.samplesOnCap() > before)
         {
-          std::call_once(isFanAskedFor, askForFan);
-          bar.addFan(*fan, cells, fanTasks.at(indexOf(tasks[task])));
+          const Fan& fan = fanOnCap.get(makeFan);
+          bar.addFan(*fan.farField, cells, fan.tasks.at(indexOf(tasks[task])));
         }
       }
       bar.finish();
@@ -340,9 +344,8 @@ void CappedSurface::evaluateRow(const Grid& grid, const Extent& extent, int j, i
 
 const OtherCap& CappedSurface::otherCap() const
 {
-  std::call_once(isOtherCapMade_,
-    [this] { otherCap_ = std::make_unique<const OtherCap>(surface_, *loops_, cap_, accuracy_); });
-  return *otherCap_;
+  return *otherCap_.get(
+    [this] { return std::make_unique<const OtherCap>(surface_, *loops_, cap_, accuracy_); });
 }
 
 void CappedSurface::resolveOnCap(const Grid& grid, const Extent& extent,

@@ -4,6 +4,7 @@
 
 #include "base/Executor.h"
 #include "base/FieldOutput.h"
+#include "base/Lazy.h"
 #include "field/OtherCap.h"
 #include "rays/PointCrossings.h"
 #include "rays/RowCrossings.h"
@@ -14,7 +15,6 @@
 #include "surface/RepeatedLoops.h"
 
 #include <memory>
-#include <mutex>
 #include <optional>
 
 namespace winding
@@ -115,10 +115,9 @@ private:
   Multiplicities capMultiplicities_;
   double capArea_ = 0;
   std::unique_ptr<const RepeatedLoops> loops_; ///< the surface's rims; null where there is no cap
-  mutable std::once_flag isOtherCapMade_;
-  mutable std::unique_ptr<const OtherCap> otherCap_; ///< made for the first sample on the cap
-  RowCrossings rows_;                                ///< crossings of M + C
-  PointCrossings points_;                            ///< the same at scattered samples
+  Lazy<std::unique_ptr<const OtherCap>> otherCap_; ///< made for the first sample on the cap
+  RowCrossings rows_;                              ///< crossings of M + C
+  PointCrossings points_;                          ///< the same at scattered samples
   TriangleSum capSum_;
   Bounds bounds_; ///< box of the surface
   CapSum choice_;

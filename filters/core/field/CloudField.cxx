@@ -4,28 +4,43 @@
 
 #include "base/Digits.h"
 #include "base/Refusal.h"
+#include "cloud/CloudOrientation.h"
 #include "cloud/OutwardNormals.h"
 #include "cloud/PointAreas.h"
+#include "diagnosis/MendNotes.h"
 #include "distance/DistanceTree.h"
 #include "distance/PrimitivesNear.h"
 #include "farfield/FarFieldChoice.h"
 #include "farfield/GridCells.h"
+#include "field/SheetMessages.h"
 #include "source/Sanitize.h"
 #include "source/UnitNormal.h"
 #include "sums/ReferenceSum.h"
 #include "surface/Mirror.h"
+#include "surface/SheetSide.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace winding
 {
 
 CloudField::CloudField(
-  const std::vector<OrientedPointsView>& views, const FieldOptions& options, Executor& executor)
-  : cloud_(sanitize(views, executor))
+  const std::vector<OrientedPointsView>& views, const FieldOptions& given, Executor& executor)
+  : options_(given)
+  , cloud_(sanitize(views, executor))
 {
+  const bool areNormalsGiven = std::any_of(views.begin(), views.end(),
+    [](const OrientedPointsView& view) { return !view.normals.empty(); });
+  if (options_.mendsSource && !options_.estimateNormals && !cloud_.positions.empty() &&
+      (!areNormalsGiven || options_.lookAtViewpoints))
+  {
+    options_.estimateNormals = true;
+    info_.warnings.push_back(estimatedNote());
+  }
+  const FieldOptions& options = options_;
   if (options.method == Method::parity || options.method == Method::rows)
   {
     throw Refusal(
@@ -33,14 +48,17 @@ CloudField::CloudField(
         {{"", {{Parameter::method, static_cast<int>(Method::automatic)}}}}));
   }
   const Mirror mirror(options.mirror, options.weldTolerance);
-  const bool lacksNormals = cloud_.normals.size() < cloud_.positions.size();
-  if (lacksNormals && options.estimateNormals && !options.toward.empty() && !mirror.isNone())
+  info_.normalsAreEstimated =
+    options.lookAtViewpoints || cloud_.normals.size() < cloud_.positions.size();
+  const bool areSeen = options.lookAtViewpoints || !options.toward.empty();
+  const bool isOfHalf =
+    info_.normalsAreEstimated && options.estimateNormals && areSeen && !mirror.isNone();
+  if (isOfHalf)
   {
     // Viewpoints are of the half that was seen, and so are normals.
-    const std::vector<double> given = cloud_.areas;
-    giveOutwardNormals(cloud_, options.normalEstimation, Viewpoints(options.toward),
-      {options.pointAreaMethod, options.pointArea, options.neighbors}, executor);
-    cloud_.areas = given;
+    const std::vector<double> areas = cloud_.areas;
+    this->estimateNormals(options, executor);
+    cloud_.areas = areas;
   }
   mirror.addTo(cloud_);
   info_.isSurface = false;
@@ -61,43 +79,15 @@ CloudField::CloudField(
       " with normals of length 0, " + std::to_string(cloud_.badAreaPoints) +
       " with negative areas)");
   }
-  std::vector<Setting> ofFaces;
-  if (options.orientFaces)
-  {
-    ofFaces.emplace_back(Parameter::orientFaces, 0);
-  }
-  if (options.ignoreOpenParts)
-  {
-    ofFaces.emplace_back(Parameter::ignoreOpenParts, 0);
-  }
-  if (!options.flatBase.empty())
-  {
-    ofFaces.emplace_back(Parameter::flatBase);
-  }
-  if (!options.sheetSide.empty())
-  {
-    ofFaces.emplace_back(Parameter::sheetSide);
-  }
-  if (!ofFaces.empty())
-  {
-    info_.warnings.emplace_back("points have no faces to turn, close or leave out",
-      std::vector<Remedy>{{"do without", {ofFaces.front()}}});
-  }
+  this->warnOfUnused(options);
   if (options.neighbors < 3)
   {
     throw Refusal(Message(Parameter::numberOfNeighbors,
       "is " + std::to_string(options.neighbors) + "; it must be 3 or more"));
   }
-  info_.normalsAreEstimated = cloud_.normals.size() < cloud_.positions.size();
   if (info_.normalsAreEstimated && !options.estimateNormals)
   {
-    throw Refusal(missingNormals(std::any_of(views.begin(), views.end(),
-      [](const OrientedPointsView& view) { return !view.normals.empty(); })));
-  }
-  if (options.estimateNormals && options.warnsOfKeptNormals && !info_.normalsAreEstimated &&
-      info_.primitives > 0)
-  {
-    info_.warnings.push_back(keptNormals());
+    throw Refusal(missingNormals(areNormalsGiven && !options.lookAtViewpoints));
   }
   if (!info_.normalsAreEstimated)
   {
@@ -107,7 +97,7 @@ CloudField::CloudField(
       areNormalsEqual_ = true;
     }
   }
-  this->findNormalsAndAreas(options, executor);
+  this->findNormalsAndAreas(options, isOfHalf, executor);
   this->regularize(options.regularization);
   sum_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
   this->chooseMethod(options, executor);
@@ -116,22 +106,94 @@ CloudField::CloudField(
 
 CloudField::~CloudField() = default;
 
-/// Estimates normals where there are none, chooses areas, and warns where the field is 0 or does
-/// not separate inside from outside clearly.
-void CloudField::findNormalsAndAreas(const FieldOptions& options, Executor& executor)
+/// Notes the options that these points have no use for.
+void CloudField::warnOfUnused(const FieldOptions& options)
+{
+  const std::pair<Setting, bool> ofFaces[] = {{{Parameter::orientFaces, 0}, options.orientFaces},
+    {{Parameter::ignoreOpenParts, 0}, options.ignoreOpenParts},
+    {Parameter::flatBase, !options.flatBase.empty()}};
+  for (const auto& [setting, isGiven] : ofFaces)
+  {
+    if (isGiven)
+    {
+      info_.addUnused(setting.parameter,
+        {"points have no faces to turn, close or leave out", {{"do without", {setting}}}}, options);
+    }
+  }
+  if (options.estimateNormals && options.warnsOfKeptNormals && !info_.normalsAreEstimated &&
+      info_.primitives > 0)
+  {
+    info_.addUnused(Parameter::estimateNormals, keptNormals(), options);
+  }
+}
+
+/// Gives the points normals and areas. Returns whether the normals may be wrong.
+bool CloudField::estimateNormals(const FieldOptions& options, Executor& executor)
+{
+  const OutwardNormals found =
+    giveOutwardNormals(cloud_, options.normalEstimation, Viewpoints(options.toward),
+      {options.pointAreaMethod, options.pointArea, options.neighbors}, executor);
+  info_.normalEstimation = found.estimation;
+  info_.orientation = found.orientation;
+  if (found.opposed > OutwardNormals::fewOpposed)
+  {
+    info_.warnings.push_back(opposedNormals(found.opposed));
+  }
+  return found.isUnsure();
+}
+
+/// Turns the points so that what lies on one side of them is inside, as turnSheets() turns faces.
+/// Returns whether they are a sheet.
+bool CloudField::turnSheet(const FieldOptions& options)
+{
+  const Eigen::Vector3d side = sheetSideIn(options.sheetSide);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double area = 0, moment = 0;
+  for (std::size_t i = 0; i < cloud_.positions.size() && !side.isZero(); ++i)
+  {
+    sum += cloud_.areas[i] * cloud_.normals[i];
+    area += cloud_.areas[i];
+    moment += cloud_.areas[i] * side.dot(cloud_.positions[i]);
+  }
+  if (!(area > 0))
+  {
+    return false;
+  }
+  constexpr double closed = 0.1, leastShare = 0.05; // of the area
+  if (sum.norm() < closed * area)
+  {
+    info_.addUnused(Parameter::sheetSide, noOpenPart(), options);
+    return false;
+  }
+  if (std::abs(sum.dot(side)) < leastShare * area)
+  {
+    info_.warnings.push_back(alongSheet());
+  }
+  if (sum.dot(side) > 0)
+  {
+    for (Eigen::Vector3d& normal : cloud_.normals)
+    {
+      normal = 0.0 - normal.array();
+    }
+  }
+  info_.added = 0.5; // by a half sphere at infinity
+  info_.sheetHeight = moment / area;
+  return true;
+}
+
+/// Estimates normals where there are none, unless `isOfHalf` says that they are there as images of
+/// half a cloud, chooses areas, and warns where the field is 0 or does not separate inside from
+/// outside clearly.
+void CloudField::findNormalsAndAreas(const FieldOptions& options, bool isOfHalf, Executor& executor)
 {
   checkPointArea(options.pointArea);
   const std::size_t points = cloud_.positions.size();
   const bool areAreasGiven = !cloud_.areas.empty();
   const PointAreaOptions areas = {options.pointAreaMethod, options.pointArea, options.neighbors};
   bool areNormalsUnsure = false;
-  if (info_.normalsAreEstimated)
+  if (info_.normalsAreEstimated && !isOfHalf)
   {
-    const OutwardNormals found = giveOutwardNormals(
-      cloud_, options.normalEstimation, Viewpoints(options.toward), areas, executor);
-    info_.normalEstimation = found.estimation;
-    info_.orientation = found.orientation;
-    areNormalsUnsure = found.isUnsure();
+    areNormalsUnsure = this->estimateNormals(options, executor);
     // Normals that were stored and come back are made unit vectors in the same way.
     for (Eigen::Vector3d& normal : cloud_.normals)
     {
@@ -141,6 +203,12 @@ void CloudField::findNormalsAndAreas(const FieldOptions& options, Executor& exec
   else if (!areAreasGiven)
   {
     cloud_.areas = pointAreas(cloud_, areas, executor);
+  }
+  const bool isSheet = this->turnSheet(options);
+  if (info_.normalsAreEstimated && (isSheet || isOfHalf))
+  {
+    info_.orientation = orientationOf(cloud_, executor, info_.added);
+    areNormalsUnsure = areNormalsUnsure && !info_.orientation.isClear();
   }
   double sum = 0;
   for (const double area : cloud_.areas)
@@ -263,6 +331,31 @@ double CloudField::area() const
   return info_.pointArea * static_cast<double>(info_.primitives);
 }
 
+std::shared_ptr<const Field> CloudField::makeTurned(Executor& executor) const
+{
+  FieldOptions options = options_;
+  // These have done their work.
+  options.estimateNormals = false;
+  options.lookAtViewpoints = false;
+  options.toward.clear();
+  options.mirror.clear();
+  options.sheetSide.clear();
+  std::vector<Eigen::Vector3d> normals(cloud_.normals.size());
+  std::transform(cloud_.normals.begin(), cloud_.normals.end(), normals.begin(),
+    [](const Eigen::Vector3d& normal) -> Eigen::Vector3d { return 0.0 - normal.array(); });
+  OrientedPointsView view;
+  if (!normals.empty())
+  {
+    view.positions = VectorsView(cloud_.positions.front().data(), cloud_.positions.size());
+    view.normals = VectorsView(normals.front().data(), normals.size());
+    view.areas = ScalarsView(cloud_.areas.data(), cloud_.areas.size(), 1);
+  }
+  auto turned =
+    std::make_shared<CloudField>(std::vector<OrientedPointsView>{view}, options, executor);
+  turned->info_.isOriented = true;
+  return turned;
+}
+
 std::unique_ptr<const DistanceTree> CloudField::makeDistanceTree(Executor& executor) const
 {
   return std::make_unique<const DistanceTree>(cloud_, executor);
@@ -270,7 +363,7 @@ std::unique_ptr<const DistanceTree> CloudField::makeDistanceTree(Executor& execu
 
 double CloudField::reference(const Eigen::Vector3d& sample) const
 {
-  return referenceSum<double>(cloud_, cloud_.areas, sample);
+  return referenceSum<double>(cloud_, cloud_.areas, sample) + info_.added;
 }
 
 double CloudField::jumpWithin(const Eigen::Vector3d& sample, double distance) const

@@ -39,18 +39,23 @@ protected:
     Executor& executor) const override;
   void evaluateValues(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
+  std::shared_ptr<const Field> makeTurned(Executor& executor) const override;
   std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const override;
   const Evaluator& evaluator() const override { return *sum_; }
   const GradientEvaluator& gradientEvaluator() const override { return *sum_; }
 
 private:
-  void findNormalsAndAreas(const FieldOptions& options, Executor& executor);
+  void warnOfUnused(const FieldOptions& options);
+  bool estimateNormals(const FieldOptions& options, Executor& executor);
+  void findNormalsAndAreas(const FieldOptions& options, bool isOfHalf, Executor& executor);
+  bool turnSheet(const FieldOptions& options);
   void regularize(double spacings);
   void chooseMethod(const FieldOptions& options, Executor& executor);
 
   bool usesFarField(std::size_t samples) const;
   bool usesFarField(const Grid& grid) const;
 
+  FieldOptions options_;
   PointCloud cloud_;
   FieldInfo info_;
   bool areNormalsEqual_ = false;

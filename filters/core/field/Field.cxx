@@ -122,15 +122,15 @@ void Field::evaluateValues(
     samples.size(), [&](std::size_t n) { return samples[n]; }, output, executor);
 }
 
-/// Makes the tree when it is first asked for.
+const Field& Field::turned(Executor& executor) const
+{
+  const auto& turned = turned_.get([&] { return this->makeTurned(executor); });
+  return turned ? *turned : *this;
+}
+
 const DistanceTree& Field::distanceTree(Executor& executor) const
 {
-  const std::lock_guard<std::mutex> lock(distanceTreeLock_);
-  if (!distanceTree_)
-  {
-    distanceTree_ = this->makeDistanceTree(executor);
-  }
-  return *distanceTree_;
+  return *distanceTree_.get([&] { return this->makeDistanceTree(executor); });
 }
 
 void Field::prepareDistances(Executor& executor) const

@@ -5,6 +5,7 @@
 #include "base/Bounds.h"
 #include "base/Executor.h"
 #include "base/FieldOutput.h"
+#include "base/Lazy.h"
 #include "base/Message.h"
 #include "base/SampledSource.h"
 #include "base/Views.h"
@@ -18,7 +19,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -64,6 +64,9 @@ struct FieldOptions
   NormalEstimation normalEstimation = NormalEstimation::automatic;
   /// Where the points were seen from, for estimated normals; see Viewpoints. Empty: not known.
   std::string toward;
+  /// Whether the normals only look to where each point was seen from: others are estimated, which
+  /// look there unless `toward` says where.
+  bool lookAtViewpoints = false;
   PointAreaMethod pointAreaMethod = PointAreaMethod::voronoi;
   /// The area of every point, for PointAreaMethod::constant only; 0 stands for the mean of the
   /// areas that PointAreaMethod::voronoi gives.
@@ -74,6 +77,9 @@ struct FieldOptions
   /// of the point's spacing, which is the square root of its area; 0 to mostRegularization. 0
   /// leaves the pure dipole.
   double regularization = 0;
+  /// Whether the source is to be a solid: points without normals get estimated ones, and faces are
+  /// turned as with orientFaces if Diagnosis::faultToTurn() asks for it.
+  bool mendsSource = false;
   /// Whether triangles are turned first, so that solids have an outside, and doubled faces are
   /// taken once (Orientation.h). Property (5) of Field holds no longer where areas are equal.
   bool orientFaces = false;
@@ -83,7 +89,8 @@ struct FieldOptions
   std::string mirror;
   /// The base that closes a surface that is open on one side (FlatBase.h). Empty: none.
   std::string flatBase;
-  /// The direction of the side of open sheets that is inside (SheetSide.h). Empty: none.
+  /// The direction of the side of open sheets that is inside (SheetSide.h). Empty: none. Points
+  /// are one sheet, unless their normals look to all sides alike.
   std::string sheetSide;
   /// The distance up to which the caller has welded points (SnappedPoints.h), which is the reach of
   /// the planes of symmetry, too.
@@ -91,17 +98,20 @@ struct FieldOptions
   /// Whether scattered samples will be asked for rather than grids: methods that share work along
   /// the rows of a grid are no use then.
   bool scattered = false;
+  /// Whether other sources have the same options, so that one of these may be for them alone.
+  bool isOneOfSeveral = false;
 
   bool operator==(const FieldOptions& other) const
   {
     return method == other.method && tolerance == other.tolerance && pointArea == other.pointArea &&
            estimateNormals == other.estimateNormals && normalEstimation == other.normalEstimation &&
-           toward == other.toward && pointAreaMethod == other.pointAreaMethod &&
-           neighbors == other.neighbors && regularization == other.regularization &&
-           orientFaces == other.orientFaces && ignoreOpenParts == other.ignoreOpenParts &&
-           mirror == other.mirror && weldTolerance == other.weldTolerance &&
-           flatBase == other.flatBase && sheetSide == other.sheetSide &&
-           scattered == other.scattered;
+           toward == other.toward && lookAtViewpoints == other.lookAtViewpoints &&
+           pointAreaMethod == other.pointAreaMethod && neighbors == other.neighbors &&
+           regularization == other.regularization && orientFaces == other.orientFaces &&
+           ignoreOpenParts == other.ignoreOpenParts && mirror == other.mirror &&
+           weldTolerance == other.weldTolerance && flatBase == other.flatBase &&
+           sheetSide == other.sheetSide && scattered == other.scattered &&
+           mendsSource == other.mendsSource;
   }
 };
 
@@ -110,6 +120,13 @@ struct FieldOptions
 /// right.
 FieldOptions optionsAlong(
   const FieldOptions& options, const Eigen::Matrix3d& inverseAxes, const Eigen::Vector3d& origin);
+
+/// An option that a source has no use for, and what to say of that.
+struct UnusedOption
+{
+  Parameter option;
+  Message message;
+};
 
 /// The make-up of a field and the way it will be evaluated: for reports, not for computing.
 struct FieldInfo
@@ -126,22 +143,37 @@ struct FieldInfo
   /// Triangles that close the surface for method rows. It is 0 where the boundary alone shows that
   /// they are too many: then they are not made.
   std::size_t capTriangles = 0;
-  Openings openings; ///< of a surface
-  /// The number that values have in addition to the sum: ½ for sheets that divide space, which a
-  /// half sphere at infinity closes (SheetSide.h).
+  Openings openings;       ///< of a surface
+  bool isOriented = false; ///< whether faces were turned and taken once, or all normals turned
+  /// The number that values have in addition to the sum: ½ for sheets of faces or of points, which
+  /// divide space and which a half sphere at infinity closes (SheetSide.h).
   double added = 0;
-  double sheetHeight = 0; ///< coordinate of their middle along the side that is inside
+  double sheetHeight = 0;           ///< coordinate of their middle along the side that is inside
   double pointArea = 0;             ///< mean area of a cloud's points
   bool normalsAreEstimated = false; ///< true only for clouds that came without normals
   /// The way in which normals were estimated, if they were: never automatic.
   NormalEstimation normalEstimation = NormalEstimation::spanningTree;
-  CloudOrientation orientation;   ///< of estimated normals, once turned outward
-  Bounds bounds;                  ///< box of the vertices or points
-  bool isScattered = false;       ///< whether scattered samples were announced, not grids
-  Method method = Method::direct; ///< method that was chosen, never automatic
-  double tolerance = 0;           ///< FieldOptions::tolerance
-  std::string why;                ///< reason for the choice of the method, for the user
-  std::vector<Message> warnings;  ///< notes on the input that the user should read
+  CloudOrientation orientation;     ///< of estimated normals, once turned outward
+  Bounds bounds;                    ///< box of the vertices or points
+  bool isScattered = false;         ///< whether scattered samples were announced, not grids
+  Method method = Method::direct;   ///< method that was chosen, never automatic
+  double tolerance = 0;             ///< FieldOptions::tolerance
+  std::string why;                  ///< reason for the choice of the method, for the user
+  std::vector<Message> warnings;    ///< notes on the input that the user should read
+  std::vector<UnusedOption> unused; ///< of FieldOptions::isOneOfSeveral; else among the warnings
+
+  /// Notes an option that the source has no use for.
+  void addUnused(Parameter option, const Message& message, const FieldOptions& options)
+  {
+    if (options.isOneOfSeveral)
+    {
+      unused.push_back({option, message});
+    }
+    else
+    {
+      warnings.push_back(message);
+    }
+  }
 
   /// Whether w changes at triangles only, as for a closed surface.
   bool jumpsOnly() const { return isSurface && netBoundaryEdges == 0; }
@@ -247,6 +279,10 @@ public:
    */
   virtual void gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
 
+  /// Returns the field of the source turned, or itself if that is unclear: as orientFaces says,
+  /// then by LooseParts.h, or with all normals of a cloud turned round. It is built once and kept.
+  const Field& turned(Executor& executor) const;
+
   /// The triangles that it is the field of, as they came in; null for points.
   virtual const Surface* surface() const { return nullptr; }
 
@@ -299,6 +335,9 @@ protected:
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const;
   ///@}
 
+  /// Makes the field of the source turned, or none if that is unclear. Throws Interrupted.
+  virtual std::shared_ptr<const Field> makeTurned(Executor& executor) const = 0;
+
   /// Makes the tree that all distances are found with. Throws Interrupted.
   virtual std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const = 0;
 
@@ -313,8 +352,8 @@ private:
   void evaluateBoth(std::size_t samples, const FieldOutput& output, Executor& executor,
     const EvaluateValues& evaluateValues, const EvaluateDistances& evaluateDistances) const;
 
-  mutable std::mutex distanceTreeLock_;
-  mutable std::unique_ptr<const DistanceTree> distanceTree_; ///< made when it is first needed
+  Lazy<std::unique_ptr<const DistanceTree>> distanceTree_;
+  Lazy<std::shared_ptr<const Field>> turned_;
 };
 
 } // namespace winding

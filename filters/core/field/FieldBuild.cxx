@@ -4,6 +4,7 @@
 #include "base/Executor.h"
 #include "base/Views.h"
 #include "cloud/Viewpoints.h"
+#include "diagnosis/MendNotes.h"
 #include "field/CloudField.h"
 #include "field/SurfaceField.h"
 #include "surface/FlatBase.h"
@@ -28,7 +29,17 @@ FieldOptions optionsAlong(
 std::shared_ptr<const Field> Field::build(
   const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)
 {
-  return std::make_shared<SurfaceField>(views, options, executor);
+  auto field = std::make_shared<SurfaceField>(views, options, executor);
+  const auto fault = options.mendsSource ? field->diagnosis().faultToTurn(executor) : std::nullopt;
+  if (fault)
+  {
+    FieldOptions turned = options;
+    turned.orientFaces = true;
+    field.reset(); // both need not fit into memory together
+    field = std::make_shared<SurfaceField>(views, turned, executor);
+    field->addNote(turnedNote("faces", *fault));
+  }
+  return field;
 }
 
 std::shared_ptr<const Field> Field::build(

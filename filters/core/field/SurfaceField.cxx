@@ -7,6 +7,8 @@
 #include "distance/PrimitivesNear.h"
 #include "farfield/FarFieldChoice.h"
 #include "farfield/GridCells.h"
+#include "field/LooseParts.h"
+#include "field/SheetMessages.h"
 #include "rays/RayParity.h"
 #include "source/CoordinateOrder.h"
 #include "source/DistinctTriangles.h"
@@ -33,12 +35,15 @@ namespace winding
 
 SurfaceField::SurfaceField(
   const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)
-  : surface_(sanitize(views, executor))
+  : options_(options)
+  , surface_(sanitize(views, executor))
+  , parts_(polygonPartsOf(views))
 {
-  this->complete(views, options, executor);
+  this->complete(options, executor);
   if (options.ignoreOpenParts)
   {
     leaveOut(surface_, openPartsInside(surface_, edgesOf(surface_, executor), executor).isInside);
+    parts_.clear();
   }
   BoundaryChain chain = boundaryChain(surface_, executor);
   this->mergeEqual(chain);
@@ -51,26 +56,23 @@ SurfaceField::SurfaceField(
 SurfaceField::~SurfaceField() = default;
 
 /// Adds what the surface lacks by its owner's word, and turns its faces.
-void SurfaceField::complete(
-  const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor)
+void SurfaceField::complete(const FieldOptions& options, Executor& executor)
 {
   const Mirror mirror(options.mirror, options.weldTolerance);
   const FlatBase base(options.flatBase);
   const Eigen::Vector3d side = sheetSideIn(options.sheetSide);
-  PolygonParts parts =
-    options.orientFaces || !side.isZero() ? polygonPartsOf(views) : PolygonParts();
   if (mirror.cuts(surface_.vertices, surface_.bounds))
   {
     info_.warnings.push_back(cutByMirror());
   }
-  mirror.addTo(surface_, parts);
+  mirror.addTo(surface_, parts_);
   const auto orientNow = [&]
   {
-    const Orientation found = orient(surface_, parts, executor);
+    const Orientation found = orient(surface_, parts_, executor);
     apply(found, surface_);
     if (!found.isLeftOut.empty())
     {
-      parts.clear();
+      parts_.clear();
     }
   };
   if (options.orientFaces)
@@ -80,17 +82,26 @@ void SurfaceField::complete(
   if (!base.isNone())
   {
     const BasedOpenings openings = base.addTo(surface_, executor);
-    parts.resize(parts.empty() ? 0 : surface_.triangles.size(), 0);
+    parts_.resize(parts_.empty() ? 0 : surface_.triangles.size(), 0);
     if (options.orientFaces)
     {
       orientNow(); // the base decides where the outside is
     }
-    const std::vector<Message> notes = notesOn(openings);
-    info_.warnings.insert(info_.warnings.end(), notes.begin(), notes.end());
+    for (const Message& note : notesOn(openings))
+    {
+      if (openings.closed == 0)
+      {
+        info_.addUnused(Parameter::flatBase, note, options);
+      }
+      else
+      {
+        info_.warnings.push_back(note);
+      }
+    }
   }
   if (!side.isZero())
   {
-    const Sheets sheets = turnSheets(surface_, parts, side, executor);
+    const Sheets sheets = turnSheets(surface_, parts_, side, executor);
     constexpr double ofHalfSphere = 0.5;
     info_.added = sheets.count > 0 ? ofHalfSphere : 0;
     info_.sheetHeight = sheets.height;
@@ -106,13 +117,11 @@ void SurfaceField::complete(
     }
     if (sheets.unclear > 0)
     {
-      Message message(Parameter::sheetSide, "lies along the sheet");
-      message.remedies = {{"choose a side that it faces", {}}};
-      info_.warnings.push_back(std::move(message));
+      info_.warnings.push_back(alongSheet());
     }
     if (sheets.count == 0)
     {
-      info_.warnings.emplace_back(Message(Parameter::sheetSide, "has no use: no part is open"));
+      info_.addUnused(Parameter::sheetSide, noOpenPart(), options);
     }
   }
 }
@@ -126,6 +135,7 @@ void SurfaceField::describe(const BoundaryChain& chain, const FieldOptions& opti
   info_.weldedVertices = surface_.vertices.size();
   info_.bounds = surface_.bounds;
   info_.isScattered = options.scattered;
+  info_.isOriented = options.orientFaces;
   info_.tolerance = options.tolerance;
   if (surface_.dropped() > 0)
   {
@@ -385,16 +395,13 @@ std::size_t SurfaceField::expectedBytes(std::size_t samples) const
 
 FarFieldGain SurfaceField::gainOfFarField() const
 {
-  std::call_once(isGainKnown_, [this]
-    { gain_ = winding::gainOfFarField(distinct_->vertices, distinct_->triangles, info_.bounds); });
-  return gain_;
+  return gain_.get([this]
+    { return winding::gainOfFarField(distinct_->vertices, distinct_->triangles, info_.bounds); });
 }
 
 double SurfaceField::area() const
 {
-  std::call_once(
-    isAreaKnown_, [this] { area_ = approximateAreaOf(distinct_->vertices, distinct_->triangles); });
-  return area_;
+  return area_.get([this] { return approximateAreaOf(distinct_->vertices, distinct_->triangles); });
 }
 
 void SurfaceField::prepare(const Grid& grid, Executor& executor) const
@@ -457,6 +464,37 @@ void SurfaceField::evaluateValues(
   {
     Field::evaluateValues(samples, output, executor);
   }
+}
+
+std::shared_ptr<const Field> SurfaceField::makeTurned(Executor& executor) const
+{
+  FieldOptions options = options_;
+  options.orientFaces = !info_.isOriented;
+  // These have done their work.
+  options.mirror.clear();
+  options.flatBase.clear();
+  options.sheetSide.clear();
+  Surface turned;
+  const Surface* surface = &surface_;
+  if (info_.isOriented)
+  {
+    turned = surface_;
+    if (!turnLooseParts(turned, parts_, executor))
+    {
+      return nullptr;
+    }
+    surface = &turned;
+  }
+  TrianglesView view;
+  if (!surface->triangles.empty())
+  {
+    view.points = VectorsView(surface->vertices.front().data(), surface->vertices.size());
+    view.triangles = TriangleIdsView(surface->triangles.front().data(), surface->triangles.size());
+    view.isContinued = parts_.empty() ? nullptr : parts_.data();
+  }
+  auto result = std::make_shared<SurfaceField>(std::vector<TrianglesView>{view}, options, executor);
+  result->info_.isOriented = true;
+  return result;
 }
 
 std::unique_ptr<const DistanceTree> SurfaceField::makeDistanceTree(Executor& executor) const

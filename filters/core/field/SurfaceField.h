@@ -4,6 +4,7 @@
 
 #include "base/Evaluator.h"
 #include "base/Executor.h"
+#include "base/Lazy.h"
 #include "base/Views.h"
 #include "diagnosis/Diagnosis.h"
 #include "farfield/FarFieldChoice.h"
@@ -28,6 +29,9 @@ public:
 
   const FieldInfo& info() const override { return info_; }
 
+  /// Adds to what is to be said of the source.
+  void addNote(const Message& note) { info_.warnings.push_back(note); }
+
   void prepare(const Grid& grid, Executor& executor) const override;
   void prepare(const VectorsView& samples, Executor& executor) const override;
 
@@ -46,13 +50,13 @@ protected:
     Executor& executor) const override;
   void evaluateValues(
     const VectorsView& samples, const FieldOutput& output, Executor& executor) const override;
+  std::shared_ptr<const Field> makeTurned(Executor& executor) const override;
   std::unique_ptr<const DistanceTree> makeDistanceTree(Executor& executor) const override;
   const Evaluator& evaluator() const override { return *evaluator_; }
   const GradientEvaluator& gradientEvaluator() const override { return *boundaryGradient_; }
 
 private:
-  void complete(
-    const std::vector<TrianglesView>& views, const FieldOptions& options, Executor& executor);
+  void complete(const FieldOptions& options, Executor& executor);
   void mergeEqual(const BoundaryChain& chain);
   void describe(const BoundaryChain& chain, const FieldOptions& options);
   SurfaceFacts takeFacts(BoundaryChain& chain, const FieldOptions& options) const;
@@ -65,18 +69,18 @@ private:
   bool usesCapAtPoints(std::size_t samples) const;
   bool usesFarField(const Grid& grid) const;
 
+  FieldOptions options_;
   Surface surface_;
+  PolygonParts parts_;                  ///< of the surface
   Surface merged_;                      ///< the surface with equal triangles taken together, if any
   const Surface* distinct_ = &surface_; ///< the one of the two that is summed
   FieldInfo info_;
   std::unique_ptr<const Diagnosis> diagnosis_;
-  mutable std::once_flag isAreaKnown_;
-  mutable double area_ = 0; ///< the area of the surface, if it is known
-  mutable std::once_flag isGainKnown_;
-  mutable FarFieldGain gain_ = FarFieldGain::likely; ///< what a far field may save, if it is known
-  bool isFarFieldAskedFor_ = false;                  ///< whether the user chose method hierarchical
-  bool isRowsAskedFor_ = false;                      ///< whether the user chose method rows
-  int order_ = 0; ///< order of expansions; 0 where the tolerance admits none
+  Lazy<double> area_;               ///< the area of the surface
+  Lazy<FarFieldGain> gain_;         ///< what a far field may save
+  bool isFarFieldAskedFor_ = false; ///< whether the user chose method hierarchical
+  bool isRowsAskedFor_ = false;     ///< whether the user chose method rows
+  int order_ = 0;                   ///< order of expansions; 0 where the tolerance admits none
   std::unique_ptr<const BoundaryGradient> boundaryGradient_;
   /// Evaluates grids, and scattered samples of an open surface, with method rows.
   std::unique_ptr<const CappedSurface> capped_;

@@ -346,7 +346,7 @@ private:
 
 EdgeRoots bandRoots(const DistanceTree& tree, const Grid& grid, const LevelEdges& edges,
   const LevelEdges& solid, const EdgeRoots& solidRoots, const DistanceBand& band,
-  Executor& executor)
+  Executor& executor, const LevelEdges* others)
 {
   EdgeRoots roots(edges.size());
   if (tree.empty())
@@ -369,10 +369,13 @@ EdgeRoots bandRoots(const DistanceTree& tree, const Grid& grid, const LevelEdges
       }
     },
     executor);
-  searches.erase(std::remove_if(searches.begin(), searches.end(),
-                   [&edges](const Search& search)
-                   { return search.limit == 0 || edges.isAtBorder(edges[search.edge]); }),
-    searches.end());
+  const auto isLeftOut = [&](const Search& search)
+  {
+    const GridEdge& edge = edges[search.edge];
+    return search.limit == 0 || edges.isAtBorder(edge) ||
+           (others && others->find(edge.sample, edge.axis) < others->size());
+  };
+  searches.erase(std::remove_if(searches.begin(), searches.end(), isLeftOut), searches.end());
   // Edges come by layers; some layers together make a part.
   constexpr int layersPerPart = 16;
   std::vector<Searches::Part> parts;

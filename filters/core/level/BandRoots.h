@@ -12,7 +12,7 @@ namespace winding
 /**
  * Finds where the edges of a solid's shape cross the limits of its band: the places at the exact
  * distance from the surface. `edges` are the shape's (BandSamples.h). `solid` and `solidRoots` are
- * the solid's, and `tree` holds its surface.
+ * the solid's, and `tree` holds its surface. Edges that `others` has, too, get no root.
  *
  * The distance along an edge is the least of the distances from single items, and these are
  * convex. So the root for the item that is nearest somewhere is found by Newton's method. Where
@@ -24,6 +24,6 @@ namespace winding
  */
 EdgeRoots bandRoots(const DistanceTree& tree, const Grid& grid, const LevelEdges& edges,
   const LevelEdges& solid, const EdgeRoots& solidRoots, const DistanceBand& band,
-  Executor& executor);
+  Executor& executor, const LevelEdges* others = nullptr);
 
 } // namespace winding

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace winding
@@ -34,7 +35,8 @@ public:
     states_[sample] = band_.contains(states_[sample] != 0, std::sqrt(squared) / this->scale());
   }
 
-  /// Settles a part if no limit of the band is the distance of any of its samples.
+  /// Settles a part if no limit of the band is the distance of any of its samples. Limits below 0
+  /// are distances of samples inside, and others of samples outside.
   bool isSettled(const Extent& part, double distance, double rounding) const
   {
     const double radius = 0.5 * this->boxOf(part).diagonal().norm();
@@ -42,7 +44,8 @@ public:
     const double reach = radius + rounding + 1e-12 * (distance + radius);
     for (const double limit : {band_.low, band_.high})
     {
-      if (limit != 0 && std::abs(std::abs(limit) * this->scale() - distance) <= reach)
+      if (limit != 0 && std::abs(std::abs(limit) * this->scale() - distance) <= reach &&
+          this->hasSample(part, limit < 0))
       {
         return false;
       }
@@ -68,6 +71,23 @@ public:
   }
 
 private:
+  /// Returns whether a part has a sample on a side.
+  bool hasSample(const Extent& part, bool isInside) const
+  {
+    for (int k = part[4]; k <= part[5]; ++k)
+    {
+      for (int j = part[2]; j <= part[3]; ++j)
+      {
+        const std::uint8_t* const row = states_ + sampleNumber(extent_, part[0], j, k);
+        if (std::memchr(row, isInside, static_cast<std::size_t>(part[1] - part[0] + 1)))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
   const Extent& extent_;
   const DistanceBand& band_;
   std::uint8_t* const states_;
@@ -107,6 +127,23 @@ BandSamples::BandSamples(const DistanceTree& tree, const LevelEdges& solid, cons
 void BandSamples::findRuns(int j, int k, std::vector<RowRun>& runs) const
 {
   describeSides(&states_[sampleNumber(extent_, 0, j, k)], extent_[1] + 1, runs);
+}
+
+std::unique_ptr<const LevelEdges> bandEdges(const DistanceTree& tree, const LevelEdges& solid,
+  const Grid& grid, const DistanceBand& band, Executor& executor)
+{
+  return std::make_unique<const LevelEdges>(
+    grid, solid.border() > 0, BandSamples::layersAtOnce,
+    [&](int first, int last) -> LevelEdges::RowRuns
+    {
+      const auto samples =
+        std::make_shared<const BandSamples>(tree, solid, grid, band, first, last);
+      return [samples](int j, int k, std::vector<RowRun>& runs)
+      {
+        samples->findRuns(j, k, runs);
+      };
+    },
+    executor);
 }
 
 } // namespace winding

@@ -7,6 +7,7 @@
 #include "level/LevelEdges.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace winding
@@ -36,5 +37,10 @@ private:
   Extent extent_;                    ///< of the layers
   std::vector<std::uint8_t> states_; ///< inside the solid at first, then inside the band
 };
+
+/// Returns the edges of a band about the surface in `tree`. `solid` has that surface, and says
+/// whether there is a border. Throws Interrupted.
+std::unique_ptr<const LevelEdges> bandEdges(const DistanceTree& tree, const LevelEdges& solid,
+  const Grid& grid, const DistanceBand& band, Executor& executor);
 
 } // namespace winding

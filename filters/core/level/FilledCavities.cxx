@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "level/FilledCavities.h"
 
-#include "base/DisjointSets.h"
+#include "level/BandRoots.h"
+#include "level/BandSamples.h"
 #include "level/CombinedRoots.h"
+#include "level/ConnectedRuns.h"
+#include "level/LevelSurface.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <numeric>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 namespace winding
 {
@@ -15,194 +20,257 @@ namespace winding
 namespace
 {
 
-/// The runs of outside samples of a grid's rows, and which of them are cavities.
-class OutsideRuns
+/// Sets the runs of a row with value 0 to 1 where they are in cavities, and joins equal ones.
+/// `areCavities` says which are, for the first run of the row with that value and all after it.
+void fill(const char* areCavities, std::vector<RowRun>& runs)
 {
-public:
-  OutsideRuns(const LevelEdges& solid, const Grid& grid, Executor& executor)
-    : dimensions_(grid.dimensions)
-    , sets_(this->findRuns(solid, executor))
+  std::size_t last = 0;
+  for (std::size_t n = 0; n < runs.size(); ++n)
   {
-    // Sets are united one after the other. Between layers the executor looks for interrupts.
-    for (int k = 0; k < dimensions_[2]; ++k)
+    RowRun run = runs[n];
+    if (run.value == 0)
     {
-      executor.runBriefly(1, [&](std::size_t) { this->uniteLayer(k); });
+      run.value = *areCavities++ != 0;
     }
-    this->findCavities();
-  }
-
-  /// The number of cavities.
-  std::size_t cavities() const { return cavities_; }
-
-  /// Sets the runs of a row with value 0 to 1 where they are in cavities, and joins equal ones.
-  void fill(int j, int k, std::vector<RowRun>& runs) const
-  {
-    std::size_t outside = starts_[this->rowOf(j, k)];
-    std::size_t last = 0;
-    for (std::size_t n = 0; n < runs.size(); ++n)
+    if (n > 0 && runs[last].value == run.value)
     {
-      RowRun run = runs[n];
-      if (run.value == 0)
-      {
-        run.value = isCavity_[outside++] != 0;
-      }
-      if (n > 0 && runs[last].value == run.value)
-      {
-        runs[last].end = run.end;
-      }
-      else
-      {
-        last = n > 0 ? last + 1 : 0;
-        runs[last] = run;
-      }
+      runs[last].end = run.end;
     }
-    runs.resize(last + 1);
-  }
-
-private:
-  struct Run
-  {
-    int begin, end;
-  };
-
-  std::size_t rowOf(int j, int k) const
-  {
-    return static_cast<std::size_t>(k) * static_cast<std::size_t>(dimensions_[1]) +
-           static_cast<std::size_t>(j);
-  }
-
-  /// Finds all runs, first how many there are, and returns a set for each.
-  DisjointSets findRuns(const LevelEdges& solid, Executor& executor)
-  {
-    const auto layers = static_cast<std::size_t>(dimensions_[2]);
-    starts_.assign(this->rowOf(0, dimensions_[2]) + 1, 0);
-    const auto forRuns = [&](const auto& visit)
+    else
     {
-      runBlocks(
-        layers, 1,
-        [&](std::size_t layer, std::size_t, std::size_t)
-        {
-          std::vector<RowRun> runs;
-          for (int j = 0; j < dimensions_[1]; ++j)
-          {
-            solid.findRuns(j, static_cast<int>(layer), runs);
-            visit(this->rowOf(j, static_cast<int>(layer)), runs);
-          }
-        },
-        executor);
-    };
-    forRuns(
-      [this](std::size_t row, const std::vector<RowRun>& runs)
+      last = n > 0 ? last + 1 : 0;
+      runs[last] = run;
+    }
+  }
+  runs.resize(last + 1);
+}
+
+/// Makes the edges of a solid from its rows.
+std::unique_ptr<const LevelEdges> edgesOf(
+  const Grid& grid, bool hasBorder, const LevelEdges::RowRuns& rows, Executor& executor)
+{
+  return std::make_unique<const LevelEdges>(
+    grid, hasBorder, 1, [&](int, int) { return rows; }, executor);
+}
+
+/// Combines two descriptions of a row by the values of both.
+template <class Combination>
+std::vector<RowRun> combined(
+  const std::vector<RowRun>& a, const std::vector<RowRun>& b, const Combination& valueOf)
+{
+  std::vector<RowRun> runs;
+  for (std::size_t m = 0, n = 0; m < a.size() && n < b.size();)
+  {
+    const int begin = std::max(a[m].begin, b[n].begin), end = std::min(a[m].end, b[n].end);
+    const int value = valueOf(a[m].value, b[n].value);
+    if (!runs.empty() && runs.back().value == value)
+    {
+      runs.back().end = end;
+    }
+    else
+    {
+      runs.push_back({begin, end, value});
+    }
+    m += a[m].end == end;
+    n += b[n].end == end;
+  }
+  return runs;
+}
+
+/// Finds the sets of runs that hold a run with a mark. `rows` are these runs with value 1; the
+/// marked ones are those with value 0 of `others`, whose indices are `marks`'. Returns by run
+/// whether its set does.
+std::vector<char> setsWithMark(const Grid& grid, const ConnectedRuns& sets,
+  const LevelEdges::RowRuns& rows, const ConnectedRuns& others,
+  const LevelEdges::RowRuns& otherRows, const std::vector<char>& marks)
+{
+  std::vector<char> haveMark(sets.size(), 0);
+  std::vector<RowRun> runs, marked;
+  for (int k = 0; k < grid.dimensions[2]; ++k)
+  {
+    for (int j = 0; j < grid.dimensions[1]; ++j)
+    {
+      rows(j, k, runs);
+      otherRows(j, k, marked);
+      std::size_t n = others.firstOf(j, k);
+      for (RowRun& run : marked)
       {
-        starts_[row + 1] = static_cast<std::size_t>(std::count_if(
-          runs.begin(), runs.end(), [](const RowRun& run) { return run.value == 0; }));
-      });
-    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-    runs_.resize(starts_.back());
-    forRuns(
-      [this](std::size_t row, const std::vector<RowRun>& runs)
+        run.value = run.value == 0 && marks[n++] != 0;
+      }
+      n = sets.firstOf(j, k);
+      auto mark = marked.begin();
+      for (const RowRun& run : runs)
       {
-        std::size_t next = starts_[row];
-        for (const RowRun& run : runs)
+        if (run.value == 0)
         {
-          if (run.value == 0)
-          {
-            runs_[next++] = {run.begin, run.end};
-          }
+          continue;
         }
-      });
-    return DisjointSets(runs_.size());
-  }
-
-  /// Unites the runs of a layer with their neighbours in it and in the layer before.
-  void uniteLayer(int k)
-  {
-    for (int j = 0; j < dimensions_[1]; ++j)
-    {
-      if (j > 0)
-      {
-        this->unite(this->rowOf(j, k), this->rowOf(j - 1, k));
-      }
-      if (k > 0)
-      {
-        this->unite(this->rowOf(j, k), this->rowOf(j, k - 1));
-      }
-    }
-  }
-
-  /// Unites the runs of two rows that have samples next to each other.
-  void unite(std::size_t a, std::size_t b)
-  {
-    for (std::size_t m = starts_[a], n = starts_[b]; m < starts_[a + 1] && n < starts_[b + 1];)
-    {
-      if (std::max(runs_[m].begin, runs_[n].begin) < std::min(runs_[m].end, runs_[n].end))
-      {
-        sets_.unite(static_cast<std::int32_t>(m), static_cast<std::int32_t>(n));
-      }
-      ++(runs_[m].end < runs_[n].end ? m : n);
-    }
-  }
-
-  void findCavities()
-  {
-    std::vector<char> isReached(runs_.size(), 0);
-    const auto setOf = [this](std::size_t run)
-    {
-      return static_cast<std::size_t>(sets_.find(static_cast<std::int32_t>(run)));
-    };
-    for (int k = 0; k < dimensions_[2]; ++k)
-    {
-      for (int j = 0; j < dimensions_[1]; ++j)
-      {
-        const bool isAtBorder =
-          j == 0 || j == dimensions_[1] - 1 || k == 0 || k == dimensions_[2] - 1;
-        const std::size_t row = this->rowOf(j, k);
-        for (std::size_t n = starts_[row]; n < starts_[row + 1]; ++n)
+        for (; mark->end <= run.begin; ++mark)
         {
-          if (isAtBorder || runs_[n].begin == 0 || runs_[n].end == dimensions_[0])
+        }
+        for (auto other = mark; other != marked.end() && other->begin < run.end; ++other)
+        {
+          haveMark[sets.setOf(n)] |= static_cast<char>(other->value);
+        }
+        ++n;
+      }
+    }
+  }
+  for (std::size_t n = 0; n < haveMark.size(); ++n)
+  {
+    haveMark[n] = haveMark[sets.setOf(n)];
+  }
+  return haveMark;
+}
+
+std::vector<char> negated(std::vector<char> flags)
+{
+  for (char& flag : flags)
+  {
+    flag = flag == 0;
+  }
+  return flags;
+}
+
+/// Returns whether all samples at the border of a grid that are outside of a solid are outside of a
+/// thicker one, too.
+bool reachesAround(const LevelEdges& solid, const LevelEdges& thick, const Grid& grid)
+{
+  const Eigen::Vector3i last = grid.dimensions.array() - 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (int i = 0; i <= last[u]; ++i)
+    {
+      for (int j = 0; j <= last[v]; ++j)
+      {
+        for (const int end : {0, last[axis]})
+        {
+          std::array<int, 3> sample;
+          sample[static_cast<std::size_t>(axis)] = end;
+          sample[static_cast<std::size_t>(u)] = i;
+          sample[static_cast<std::size_t>(v)] = j;
+          if (thick.isSampleInside(sample) && !solid.isSampleInside(sample))
           {
-            isReached[setOf(n)] = 1;
+            return false;
           }
         }
       }
     }
-    isCavity_.resize(runs_.size());
-    for (std::size_t n = 0; n < runs_.size(); ++n)
-    {
-      isCavity_[n] = isReached[setOf(n)] == 0;
-      cavities_ += isCavity_[n] != 0 && setOf(n) == n;
-    }
   }
-
-  Eigen::Vector3i dimensions_;
-  std::vector<Run> runs_;
-  std::vector<std::size_t> starts_; ///< first run of each row, and one behind the last
-  DisjointSets sets_;
-  std::vector<char> isCavity_;
-  std::size_t cavities_ = 0;
-};
+  return true;
+}
 
 } // namespace
 
-FilledCavities::FilledCavities(
-  const LevelEdges& solid, const EdgeRoots& solidRoots, const Grid& grid, Executor& executor)
-  : count(0)
-  , edges(
-      [&]
-      {
-        const OutsideRuns outside(solid, grid, executor);
-        count = outside.cavities();
-        const auto rowRuns = [&](int j, int k, std::vector<RowRun>& runs)
-        {
-          solid.findRuns(j, k, runs);
-          outside.fill(j, k, runs);
-        };
-        return LevelEdges(
-          grid, solid.border() > 0, 1, [&](int, int) { return rowRuns; }, executor);
-      }())
-  // All edges are the solid's own, so these are the roots of a union of one.
-  , roots(CombinedRoots(edges, {{&solid, &solidRoots}}, BooleanOperation::unite, executor).roots)
+FilledCavities::FilledCavities(const LevelEdges& solid, const EdgeRoots& solidRoots,
+  const Grid& grid, double gapWidth, const DistanceTree* tree, Executor& executor)
 {
+  const bool hasBorder = solid.border() > 0;
+  const ConnectedRuns outside(grid, rowsOf(solid), 0, executor);
+  const std::vector<char> areSealed = negated(outside.reachBorder());
+  const auto fillSealed = [&]
+  {
+    for (std::size_t n = 0; n < areSealed.size(); ++n)
+    {
+      count += areSealed[n] != 0 && outside.setOf(n) == n;
+    }
+    edges = edgesOf(
+      grid, hasBorder,
+      [&](int j, int k, std::vector<RowRun>& runs)
+      {
+        solid.findRuns(j, k, runs);
+        fill(areSealed.data() + outside.firstOf(j, k), runs);
+      },
+      executor);
+    // All edges are the solid's own, so these are the roots of a union of one.
+    roots = CombinedRoots(*edges, {{&solid, &solidRoots}}, BooleanOperation::unite, executor).roots;
+  };
+  if (!(gapWidth > 0))
+  {
+    fillSealed();
+    return;
+  }
+  const double distance = std::hypot(gapWidth, grid.spacing.maxCoeff()) / 2;
+  DistanceBand outward, inward;
+  outward.high = distance;
+  inward.high = -distance;
+  // The outside spreads away from the surface.
+  const auto thickEdges = bandEdges(*tree, solid, grid, outward, executor);
+  const LevelEdges& thick = *thickEdges;
+  const ConnectedRuns around(grid, rowsOf(thick), 0, executor);
+  const std::vector<char> areCores = negated(around.reachBorder());
+  if (!reachesAround(solid, thick, grid))
+  {
+    // Nothing says what is outside where the border is near the surface.
+    isTight = true;
+    fillSealed();
+    return;
+  }
+  const auto unreached = edgesOf(
+    grid, hasBorder,
+    [&](int j, int k, std::vector<RowRun>& runs)
+    {
+      thick.findRuns(j, k, runs);
+      fill(areCores.data() + around.firstOf(j, k), runs);
+    },
+    executor);
+  const EdgeRoots unreachedRoots =
+    bandRoots(*tree, grid, *unreached, solid, solidRoots, outward, executor);
+  // It grows back.
+  const DistanceTree growthTree(
+    surfaceOf(grid, *unreached, unreachedRoots, false, executor), executor);
+  const auto outsideSolid = edgesOf(
+    grid, hasBorder,
+    [&](int j, int k, std::vector<RowRun>& runs)
+    {
+      std::vector<RowRun> ofSolid, ofUnreached;
+      solid.findRuns(j, k, ofSolid);
+      unreached->findRuns(j, k, ofUnreached);
+      runs = combined(ofSolid, ofUnreached, [](int inside, int within) { return within > inside; });
+    },
+    executor);
+  const auto betweenEdges = bandEdges(growthTree, *outsideSolid, grid, inward, executor);
+  const LevelEdges::RowRuns findBetween = rowsOf(*betweenEdges);
+  const ConnectedRuns between(grid, findBetween, 1, executor);
+  std::vector<char> areCavities =
+    setsWithMark(grid, between, findBetween, around, rowsOf(thick), areCores);
+  const std::vector<char> areAnyway =
+    setsWithMark(grid, between, findBetween, outside, rowsOf(solid), areSealed);
+  for (std::size_t n = 0; n < areCavities.size(); ++n)
+  {
+    areCavities[n] |= areAnyway[n];
+    count += areCavities[n] != 0 && between.setOf(n) == n;
+  }
+  edges = edgesOf(
+    grid, hasBorder,
+    [&](int j, int k, std::vector<RowRun>& runs)
+    {
+      std::vector<RowRun> ofSolid, ofCavities;
+      findBetween(j, k, ofCavities);
+      std::size_t n = between.firstOf(j, k);
+      for (RowRun& run : ofCavities)
+      {
+        run.value = run.value != 0 && areCavities[n++] != 0;
+      }
+      solid.findRuns(j, k, ofSolid);
+      runs = combined(ofSolid, ofCavities, [](int inside, int filled) { return inside | filled; });
+    },
+    executor);
+  roots = bandRoots(growthTree, grid, *edges, *unreached, unreachedRoots, inward, executor, &solid);
+  // The result has the solid's own surface wherever that crosses an edge.
+  forEachItem(
+    edges->size(),
+    [&](std::size_t n)
+    {
+      const std::size_t own = solid.find((*edges)[n].sample, (*edges)[n].axis);
+      if (own < solid.size())
+      {
+        roots.fractions[n] = solidRoots.fractions[own];
+        roots.normals[n] = solidRoots.normals[own];
+      }
+    },
+    executor);
 }
 
 double FilledCavities::bytesFor(const Grid& grid, double edges)

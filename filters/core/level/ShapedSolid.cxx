@@ -5,9 +5,8 @@
 #include "base/Refusal.h"
 #include "level/BandRoots.h"
 #include "level/BandSamples.h"
-#include "level/GridContour.h"
 #include "level/LevelRoots.h"
-#include "level/SharpContour.h"
+#include "level/LevelSurface.h"
 #include "source/Surface.h"
 
 #include <algorithm>
@@ -155,45 +154,10 @@ std::optional<Grid> gridOverSource(const Grid& grid, const Bounds& source)
   return finer;
 }
 
-/// Makes triangles of the surface that crosses edges at their roots.
-Surface surfaceOf(const Grid& grid, const LevelEdges& edges, const EdgeRoots& roots, bool isSharp,
-  Executor& executor)
+/// Returns the tree of the source that gaps are measured in; null where none are closed.
+const DistanceTree* treeForGaps(const Field& field, const SolidShape& shape, Executor& executor)
 {
-  Surface surface;
-  std::vector<std::int64_t> ids;
-  const auto place = [&](const auto& write, std::size_t vertices)
-  {
-    std::vector<double> coordinates(3 * vertices);
-    write(coordinates.data());
-    surface.vertices.resize(vertices);
-    for (std::size_t n = 0; n < vertices; ++n)
-    {
-      surface.vertices[n] = Eigen::Map<const Eigen::Vector3d>(&coordinates[3 * n]);
-      surface.bounds.extend(surface.vertices[n]);
-    }
-  };
-  if (isSharp)
-  {
-    const SharpContour contour(grid, edges, &roots, true, executor);
-    std::vector<std::int64_t> offsets(contour.polygons() + 1);
-    ids.resize(contour.corners());
-    contour.writePolygons(offsets.data(), ids.data(), executor);
-    place([&](double* to) { contour.place(to, executor); }, contour.vertices());
-  }
-  else
-  {
-    GridContour contour(grid, edges, executor);
-    ids.resize(3 * contour.triangles());
-    contour.takeTriangles(ids.data(), executor);
-    place([&](double* to) { contour.place(roots, to, executor); }, contour.vertices());
-  }
-  surface.triangles.resize(ids.size() / 3);
-  for (std::size_t n = 0; n < ids.size(); ++n)
-  {
-    surface.triangles[n / 3][n % 3] = static_cast<std::int32_t>(ids[n]);
-  }
-  surface.inputTriangles = surface.triangles.size();
-  return surface;
+  return shape.gapWidth > 0 ? &field.distanceTree(executor) : nullptr;
 }
 
 /// A solid on a grid, and the same without its cavities.
@@ -272,12 +236,13 @@ std::optional<Surface> surfaceOn(const Grid& grid, const Field& field, const Ins
   {
     return surfaceOf(grid, edges, roots, isSharp, executor);
   }
-  const FilledCavities filled(edges, roots, grid, executor);
-  if (!haveSameCavities(given, {grid, edges, filled.edges}, executor))
+  const FilledCavities filled(
+    edges, roots, grid, shape.gapWidth, treeForGaps(field, shape, executor), executor);
+  if (!haveSameCavities(given, {grid, edges, *filled.edges}, executor))
   {
     return std::nullopt;
   }
-  return surfaceOf(grid, filled.edges, filled.roots, isSharp, executor);
+  return surfaceOf(grid, *filled.edges, filled.roots, isSharp, executor);
 }
 
 /// Returns the edges of a solid without a sample.
@@ -307,8 +272,9 @@ ShapedSolid::ShapedSolid(const Field& field, const Grid& grid, const InsideTest&
 {
   if (shape.fillsCavities)
   {
-    filled_ = std::make_unique<FilledCavities>(solid, roots, grid, executor);
-    edges_ = &filled_->edges;
+    filled_ = std::make_unique<FilledCavities>(
+      solid, roots, grid, shape.gapWidth, treeForGaps(field, shape, executor), executor);
+    edges_ = filled_->edges.get();
     roots_ = &filled_->roots;
   }
   if (shape.hasDistances())
@@ -354,18 +320,7 @@ void ShapedSolid::move(const Field& field, const Grid& grid, const InsideTest& i
   constexpr double shareOfSamples = 0.5;
   const double middle = begin + shareOfSamples * (end - begin);
   executor.setShare(begin, middle);
-  movedEdges_ = std::make_unique<const LevelEdges>(
-    grid, hasBorder, BandSamples::layersAtOnce,
-    [&](int first, int last) -> LevelEdges::RowRuns
-    {
-      const auto samples =
-        std::make_shared<const BandSamples>(tree, *edges_, grid, band, first, last);
-      return [samples](int j, int k, std::vector<RowRun>& runs)
-      {
-        samples->findRuns(j, k, runs);
-      };
-    },
-    executor);
+  movedEdges_ = bandEdges(tree, *edges_, grid, band, executor);
   executor.setShare(middle, end);
   movedRoots_ = bandRoots(tree, grid, *movedEdges_, *edges_, *roots_, band, executor);
   edges_ = movedEdges_.get();
@@ -376,11 +331,19 @@ double ShapedSolid::bytesFor(
   const Field& field, const Grid& grid, const SolidShape& shape, double edges)
 {
   constexpr double perRoot = sizeof(GridEdge) + sizeof(double) + sizeof(Eigen::Vector3f);
+  // The surface has two triangles and one vertex for an edge.
+  constexpr double perTriangle = sizeof(Triangle) + 0.5 * sizeof(Eigen::Vector3d);
   double bytes = 0;
   if (shape.fillsCavities)
   {
-    bytes +=
-      LevelEdges::bytesOfRows(grid) + perRoot * edges + FilledCavities::bytesFor(grid, edges);
+    const double solids = shape.gapWidth > 0 ? 4 : 1; // with what is near them, and hulls
+    bytes += solids * (LevelEdges::bytesOfRows(grid) + perRoot * edges) +
+             FilledCavities::bytesFor(grid, edges);
+    if (shape.gapWidth > 0)
+    {
+      bytes += static_cast<double>(field.expectedBytesOfDistances(0)) +
+               2 * edges * (perTriangle + static_cast<double>(DistanceTree::bytesFor(true, 1)));
+    }
   }
   if (shape.hasDistances())
   {
@@ -390,8 +353,6 @@ double ShapedSolid::bytesFor(
       edges *= std::pow(grid.spacing.maxCoeff() / finer->spacing.maxCoeff(), 2);
       bytes += LevelEdges::bytesOfRows(*finer) + LevelEdges::bytesOfSlab(*finer) + perRoot * edges;
     }
-    // The surface has two triangles and one vertex for an edge; a shell has two surfaces.
-    constexpr double perTriangle = sizeof(Triangle) + 0.5 * sizeof(Eigen::Vector3d);
     const double surfaces = shape.shell > 0 ? 2 : 1;
     const double ofTree = std::max(static_cast<double>(field.expectedBytesOfDistances(0)),
       2 * edges * (perTriangle + static_cast<double>(DistanceTree::bytesFor(true, 1))));

@@ -59,6 +59,9 @@ public:
   const EdgeRoots& roots() const { return *roots_; }
   std::size_t cavities() const { return filled_ ? filled_->count : 0; }
 
+  /// Whether gaps stay open, since the border of the grid is too near the surface.
+  bool isTight() const { return filled_ && filled_->isTight; }
+
   /// The origin of the distances.
   DistanceBase base() const { return base_; }
 

@@ -28,19 +28,33 @@ std::size_t placeOf(const IdsView& places, std::size_t number)
   return static_cast<std::size_t>(places[number]);
 }
 
-/// Returns the corners of a polygon.
-Ids cornersOf(const SkinView& skin, std::size_t polygon)
+/// Sets `corners` to the corners of a polygon.
+void setCorners(const SkinView& skin, std::size_t polygon, Ids& corners)
 {
-  Ids corners;
+  corners.clear();
   for (std::size_t at = placeOf(skin.offsets, polygon); at < placeOf(skin.offsets, polygon + 1);
        ++at)
   {
     corners.push_back(skin.corners[at]);
   }
-  return corners;
 }
 
-/// Calls visit(face, edge, isForward) for each edge of some faces, between two ids in their order.
+/// Returns twice the area of a polygon as a vector.
+Eigen::Vector3d areaOf(const SkinView& skin, const Ids& corners)
+{
+  const auto at = [&](std::size_t i)
+  {
+    return skin.points[static_cast<std::size_t>(corners[i])];
+  };
+  Eigen::Vector3d area = Eigen::Vector3d::Zero();
+  for (std::size_t i = 2; i < corners.size(); ++i)
+  {
+    area += (at(i - 1) - at(0)).cross(at(i) - at(0));
+  }
+  return area;
+}
+
+/// Calls visit(edge, isForward) for each edge of a face, between two ids in their order.
 template <class Visit> void forEachEdge(const Ids& face, const Visit& visit)
 {
   for (std::size_t i = 0; i < face.size(); ++i)
@@ -116,14 +130,10 @@ public:
   {
   }
 
-  bool isInward(std::size_t polygon, const Ids& corners)
+  /// Returns whether a polygon looks into its own `cell`, which has a volume.
+  bool isInward(std::size_t cell, const Ids& corners)
   {
-    const std::size_t cell = placeOf(skin_.owners, polygon);
     const int type = mesh_.types[cell];
-    if (dimensionOf(type) < 3)
-    {
-      return false;
-    }
     if (cell != cell_)
     {
       cell_ = cell;
@@ -159,22 +169,26 @@ private:
   {
     const std::size_t first = placeOf(mesh_.offsets, cell_),
                       last = placeOf(mesh_.offsets, cell_ + 1);
-    faces_.clear();
+    std::size_t count = 0;
+    const auto addFace = [&]() -> Ids&
+    {
+      faces_.resize(std::max(faces_.size(), ++count)); // memory is kept from cell to cell
+      faces_[count - 1].clear();
+      return faces_[count - 1];
+    };
     if (type == polyhedronType)
     {
       for (std::size_t at = first + 1; at < last;)
       {
         const std::size_t end = at + 1 + placeOf(mesh_.corners, at);
-        Ids face;
+        Ids& face = addFace();
         for (++at; at < end; ++at)
         {
           face.push_back(mesh_.corners[at]);
         }
-        if (face.size() > 2)
-        {
-          faces_.push_back(std::move(face));
-        }
+        count -= face.size() > 2 ? 0 : 1;
       }
+      faces_.resize(count);
       orientLikeEachOther(faces_);
     }
     else
@@ -182,16 +196,14 @@ private:
       bool isOpen = false;
       for (const int corner : facesOf(straightTypeOf(type)))
       {
-        if (corner >= 0 && !isOpen)
+        if (corner >= 0)
         {
-          faces_.emplace_back();
+          Ids& face = isOpen ? faces_[count - 1] : addFace();
+          face.push_back(mesh_.corners[first + static_cast<std::size_t>(corner)]);
         }
         isOpen = corner >= 0;
-        if (isOpen)
-        {
-          faces_.back().push_back(mesh_.corners[first + static_cast<std::size_t>(corner)]);
-        }
       }
+      faces_.resize(count);
     }
     isInward_ = this->volume() < 0;
     rows_.clear();
@@ -241,16 +253,11 @@ private:
   /// Returns whether a polygon looks to the side where the middle of the cell's points is.
   bool looksAtMiddle(const Ids& corners) const
   {
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero(), centre = middle, area = middle;
-    const Eigen::Vector3d first = skin_.points[static_cast<std::size_t>(corners[0])];
-    for (std::size_t i = 0; i < corners.size(); ++i)
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero(), centre = middle;
+    for (const std::int64_t corner : corners)
     {
-      const Eigen::Vector3d at = skin_.points[static_cast<std::size_t>(corners[i])];
-      middle += at / static_cast<double>(corners.size());
-      if (i > 1)
-      {
-        area += (skin_.points[static_cast<std::size_t>(corners[i - 1])] - first).cross(at - first);
-      }
+      middle +=
+        skin_.points[static_cast<std::size_t>(corner)] / static_cast<double>(corners.size());
     }
     std::size_t count = 0;
     const auto add = [&](std::int64_t id)
@@ -273,7 +280,8 @@ private:
         add(mesh_.corners[at]);
       }
     }
-    return count > 0 && (middle - centre / static_cast<double>(count)).dot(area) < 0;
+    return count > 0 &&
+           (middle - centre / static_cast<double>(count)).dot(areaOf(skin_, corners)) < 0;
   }
 
   const MeshView& mesh_;
@@ -312,12 +320,13 @@ public:
   }
 
   /// Adds a polygon that looks outward.
-  void add(std::size_t polygon, Ids corners)
+  void add(std::size_t polygon, const Ids& ids)
   {
     if (!areAny_)
     {
       return;
     }
+    Ids corners = ids;
     for (std::int64_t& corner : corners)
     {
       corner = firsts_[static_cast<std::size_t>(corner)];
@@ -358,17 +367,11 @@ private:
 std::vector<double> areasByCell(const SkinView& skin, std::size_t cells)
 {
   std::vector<double> areas(cells, 0);
+  Ids corners;
   for (std::size_t polygon = 0; polygon < skin.polygons(); ++polygon)
   {
-    const Ids corners = cornersOf(skin, polygon);
-    Eigen::Vector3d area = Eigen::Vector3d::Zero();
-    for (std::size_t i = 2; i < corners.size(); ++i)
-    {
-      const Eigen::Vector3d first = skin.points[static_cast<std::size_t>(corners[0])];
-      area += (skin.points[static_cast<std::size_t>(corners[i - 1])] - first)
-                .cross(skin.points[static_cast<std::size_t>(corners[i])] - first);
-    }
-    areas[placeOf(skin.owners, polygon)] += area.norm() / 2;
+    setCorners(skin, polygon, corners);
+    areas[placeOf(skin.owners, polygon)] += areaOf(skin, corners).norm() / 2;
   }
   return areas;
 }
@@ -383,13 +386,14 @@ OutwardPolygons outwardPolygons(const MeshView& mesh, const SkinView& skin, Cell
   Senses senses(mesh, skin);
   Seams seams(skin);
   std::vector<char> isTurned(mesh.cells(), 0);
+  Ids corners;
   for (std::size_t polygon = 0; polygon < skin.polygons(); ++polygon)
   {
-    Ids corners = cornersOf(skin, polygon);
+    setCorners(skin, polygon, corners);
     const std::size_t owner = placeOf(skin.owners, polygon);
     if (corners.size() > 2 && dimensionOf(mesh.types[owner]) == 3)
     {
-      if (senses.isInward(polygon, corners))
+      if (senses.isInward(owner, corners))
       {
         std::reverse(corners.begin() + 1, corners.end());
         counts.turned += !std::exchange(isTurned[owner], 1);

@@ -46,7 +46,7 @@ struct MeshView
 /// Polygons that are faces of a mesh's cells.
 struct SkinView
 {
-  VectorsView points; ///< of its own
+  VectorsView points; ///< not the mesh's
   IdsView corners;    ///< ids of its points, polygon after polygon
   IdsView offsets;    ///< by polygon, where its corners begin; and where the last one ends
   IdsView owners;     ///< by polygon, its cell

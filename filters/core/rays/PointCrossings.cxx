@@ -234,7 +234,7 @@ PointCrossings::~PointCrossings() = default;
 
 double PointCrossings::weight(std::size_t samples) const
 {
-  std::call_once(areRaysKnown_, [this] { rays_ = raysThrough(chain_, bounds_); });
+  const RaysThroughTriangles& rays = rays_.get([this] { return raysThrough(chain_, bounds_); });
   // A triangle is tested by the samples within it, and by those in the columns along it: as many as
   // are on a line across all of them, by its sides. Long and narrow triangles are passed over by a
   // binary search on most lines, others are tested on most: measured for walls of thin sheet metal
@@ -243,9 +243,9 @@ double PointCrossings::weight(std::size_t samples) const
   const auto triangles = static_cast<double>(chain_.size());
   // Many triangles do not fit into the caches: 1.7 at 1.4 million, 2.3 at 22 million.
   const double slowdown = 1 + 0.5 * std::max(0.0, std::log10(triangles / 5e4));
-  const double perSample = 35e-9 + 12.5e-9 * rays_.layers;
+  const double perSample = 35e-9 + 12.5e-9 * rays.layers;
   return 40e-9 * slowdown * triangles + perSample * count +
-         slowdown * (12e-9 * rays_.lengths + 90e-9 * rays_.widths) * std::sqrt(count);
+         slowdown * (12e-9 * rays.lengths + 90e-9 * rays.widths) * std::sqrt(count);
 }
 
 std::size_t PointCrossings::bytes(std::size_t samples) const
@@ -298,13 +298,13 @@ const TriangleColumns* PointCrossings::columnsForFew(
   {
     return nullptr;
   }
-  std::call_once(areColumnsMade_,
+  const TriangleColumns& columns = *columns_.get(
     [&]
     {
-      columns_ =
-        std::make_unique<TriangleColumns>(counter, chain_.size(), bounds_, scale, executor);
+      return std::make_unique<const TriangleColumns>(
+        counter, chain_.size(), bounds_, scale, executor);
     });
-  return columns_->isUsable() ? columns_.get() : nullptr;
+  return columns.isUsable() ? &columns : nullptr;
 }
 
 /// Writes the values of samples: those that `clear` has, unless it is null, and of all others by

@@ -4,13 +4,13 @@
 
 #include "base/Executor.h"
 #include "base/FieldOutput.h"
+#include "base/Lazy.h"
 #include "base/Views.h"
 #include "rays/RayCounter.h"
 #include "source/Surface.h"
 
 #include <atomic>
 #include <memory>
-#include <mutex>
 
 namespace winding
 {
@@ -97,11 +97,9 @@ private:
 
   CrossedChain chain_;
   const Bounds& bounds_;
-  mutable std::once_flag areRaysKnown_;
-  mutable RaysThroughTriangles rays_; ///< valid once areRaysKnown_ is set
+  Lazy<RaysThroughTriangles> rays_;
   mutable std::atomic<bool> wereFewAsked_{false};
-  mutable std::once_flag areColumnsMade_;
-  mutable std::unique_ptr<const TriangleColumns> columns_; ///< null until areColumnsMade_ is set
+  Lazy<std::unique_ptr<const TriangleColumns>> columns_;
 };
 
 } // namespace winding

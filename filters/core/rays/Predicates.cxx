@@ -45,6 +45,10 @@ public:
 
   void addProduct(double a, double b)
   {
+    if (a == 0 || b == 0)
+    {
+      return; // as most rounding errors of differences are
+    }
     const double product = a * b;
     add(std::fma(a, b, -product));
     add(product);
@@ -80,6 +84,10 @@ struct ExactDifference
 int exactSign(const ExactDifference& a1, const ExactDifference& b1, const ExactDifference& a2,
   const ExactDifference& b2)
 {
+  if ((a1.value == 0 || b1.value == 0) && (a2.value == 0 || b2.value == 0))
+  {
+    return 0; // as for samples in the plane of a rim
+  }
   Expansion<16> sum;
   const auto add = [&sum](const ExactDifference& a, const ExactDifference& b, double sign)
   {
@@ -119,10 +127,7 @@ int exactSideOfPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const E
         const double p = parts & 1 ? f[0].value : f[0].error;
         const double r = parts & 2 ? f[1].value : f[1].error;
         const double s = parts & 4 ? f[2].value : f[2].error;
-        if (p != 0 && r != 0 && s != 0)
-        {
-          sum.addTriple(sign * p, r, s);
-        }
+        sum.addTriple(sign * p, r, s);
       }
     }
   }

@@ -82,10 +82,12 @@ struct RayBox
   /// Whether all rays lie on the same line.
   bool isLine() const { return low == high; }
 
+  /// Whether a triangle in a box may be crossed. Rays at its highest y or z pass it, for they count
+  /// as moved upwards by infinitesimal steps.
   bool isReachedBy(const TriangleBox& box) const
   {
-    return (box.lowY <= high[0]) & (box.highY >= low[0]) & (box.lowZ <= high[1]) &
-           (box.highZ >= low[1]) & (box.highX >= firstX);
+    return (box.lowY <= high[0]) & (box.highY > low[0]) & (box.lowZ <= high[1]) &
+           (box.highZ > low[1]) & (box.highX >= firstX);
   }
 };
 

@@ -26,8 +26,8 @@ public:
   int crossing(const Eigen::Vector3d& q) const
   {
     // The conditions share one branch, for it cannot be foretold which of them holds.
-    const bool isBeside = (q[1] < low_[1]) | (q[1] > high_[1]) | (q[2] < low_[2]) |
-                          (q[2] > high_[2]) | (q[0] > high_[0]);
+    const bool isBeside = (q[1] < low_[1]) | (q[1] >= high_[1]) | (q[2] < low_[2]) |
+                          (q[2] >= high_[2]) | (q[0] > high_[0]);
     if (isBeside)
     {
       return 0;

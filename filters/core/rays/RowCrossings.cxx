@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace winding
 {
@@ -34,8 +35,8 @@ public:
   }
 
   ///@{
-  /// The indices of an extent between the lowest and the highest of three vertices: those that
-  /// indicesBetween() their coordinates in grid units are.
+  /// The indices of an extent from the lowest of three vertices on, and before the highest: rows
+  /// there pass by, for they count as moved upwards by infinitesimal steps.
   static IndexRange rowsOf(
     const VertexPlace& a, const VertexPlace& b, const VertexPlace& c, int low)
   {
@@ -65,10 +66,10 @@ private:
   static IndexRange range(const std::pair<std::uint32_t, std::uint32_t>& numbers, int low)
   {
     const auto first = static_cast<long long>(numbers.first / 2);
-    const auto last = static_cast<long long>((numbers.second - 1) / 2);
-    return numbers.second == 0 || last < first
+    const auto end = static_cast<long long>(numbers.second / 2);
+    return end <= first
              ? IndexRange{0, -1}
-             : IndexRange{static_cast<int>(low + first), static_cast<int>(low + last)};
+             : IndexRange{static_cast<int>(low + first), static_cast<int>(low + end - 1)};
   }
 
   std::uint32_t row_, layer_;
@@ -218,6 +219,28 @@ struct Crossing
   int change; ///< by which w changes there: the sign of the crossing, once for each copy
 };
 
+/// Adds up the changes at the same sample of each row, so that no more crossings are left than
+/// `sums` has places: `perRow` for samples from `low` on in each row from `firstRow` on. All sums
+/// are 0 before and after.
+void addUpChanges(std::vector<Crossing>& crossings, int firstRow, int low, std::size_t perRow,
+  std::vector<int>& sums)
+{
+  for (const auto& [row, behind, change] : crossings)
+  {
+    sums[static_cast<std::size_t>(row - firstRow) * perRow +
+         static_cast<std::size_t>(behind - low)] += change;
+  }
+  crossings.clear();
+  for (std::size_t place = 0; place < sums.size(); ++place)
+  {
+    if (const int change = std::exchange(sums[place], 0))
+    {
+      crossings.push_back({firstRow + static_cast<int>(place / perRow),
+        low + static_cast<int>(place % perRow), change});
+    }
+  }
+}
+
 /// Turns the crossings of a row into runs of equal values over [low, high].
 void makeRuns(Crossing* first, Crossing* last, int low, int high, std::vector<RowRun>& runs)
 {
@@ -275,6 +298,10 @@ public:
   {
     const int firstRow = std::max(extent_[2], rows_.firstRowOf(band));
     const int lastRow = rows_.lastRowIn(extent_, band);
+    // All samples of a row may be before a crossing.
+    const auto perRow = static_cast<std::size_t>(extent_[1] - extent_[0]) + 2;
+    const std::size_t places = static_cast<std::size_t>(lastRow - firstRow + 1) * perRow;
+    std::vector<int> sums;
     std::vector<Crossing> crossings;
     for (const std::uint32_t* number = bands_.begin(k, band); number != bands_.end(k, band);
          ++number)
@@ -293,6 +320,11 @@ public:
           crossings.push_back(
             {j, triangle.firstBehind(j, k, sign, extent_[0], extent_[1]), multiplicity * sign});
         }
+      }
+      if (crossings.size() > 2 * places)
+      {
+        sums.resize(places);
+        addUpChanges(crossings, firstRow, extent_[0], perRow, sums);
       }
     }
     const auto rowOf = [firstRow](int j)
@@ -377,54 +409,61 @@ void RowCrossings::evaluateBlocks(const Grid& grid, const Extent& extent,
   const RowBands rows = {
     extent[2], static_cast<int>(std::clamp<std::size_t>(samplesPerBlock / width, 1, height))};
   const std::size_t bands = rows.countIn(extent);
-  const std::size_t layers = this->layersAtATime(grid, extent, rows);
-  const auto shareOf = [depth](std::size_t done)
+  const double atATime = this->layersAtATime(grid, extent, rows);
+  const auto layers = std::max<std::size_t>(1, static_cast<std::size_t>(atATime));
+  const auto perSlab = std::clamp<std::size_t>(
+    static_cast<std::size_t>(atATime * static_cast<double>(bands)), 1, bands);
+  const auto shareOf = [&](std::size_t layer, std::size_t band)
   {
-    return static_cast<double>(done) / static_cast<double>(depth);
+    return static_cast<double>(layer * bands + band) / static_cast<double>(depth * bands);
   };
   Progress progress(executor);
   for (std::size_t done = 0; done < depth; done += layers)
   {
     const std::size_t end = std::min(done + layers, depth);
-    Extent slab = extent;
-    slab[4] = extent[4] + static_cast<int>(done);
-    slab[5] = extent[4] + static_cast<int>(end - 1);
-    progress.set(shareOf(done), shareOf(end));
-    const std::unique_ptr<const OnGrid> onGrid = this->on(grid, slab, rows, executor);
-    executor.run(bands * (end - done), [&](std::size_t block)
-      { work(*onGrid, slab[4] + static_cast<int>(block / bands), block % bands); });
+    for (std::size_t band = 0; band < bands; band += perSlab)
+    {
+      const std::size_t endBand = std::min(band + perSlab, bands), bandsHere = endBand - band;
+      const Extent slab = {extent[0], extent[1], rows.firstRowOf(band),
+        rows.lastRowIn(extent, endBand - 1), extent[4] + static_cast<int>(done),
+        extent[4] + static_cast<int>(end - 1)};
+      progress.set(shareOf(done, band), endBand < bands ? shareOf(done, endBand) : shareOf(end, 0));
+      const std::unique_ptr<const OnGrid> onGrid =
+        this->on(grid, slab, {slab[2], rows.rowsPerBand}, executor);
+      executor.run(bandsHere * (end - done), [&](std::size_t block)
+        { work(*onGrid, slab[4] + static_cast<int>(block / bandsHere), block % bandsHere); });
+    }
   }
 }
 
-std::size_t RowCrossings::layersAtATime(
+double RowCrossings::layersAtATime(
   const Grid& grid, const Extent& extent, const RowBands& rows) const
 {
-  const auto depth = static_cast<std::size_t>(extent[5] - extent[4] + 1);
-  const auto places = static_cast<double>(rows.countIn(extent)) * static_cast<double>(depth);
-  constexpr double manyPlaces = 1 << 20; // fewer are not worth looking at the triangles
-  if (places <= manyPlaces)
-  {
-    return depth;
-  }
-  double entries = places;
+  const double depth = extent[5] - extent[4] + 1;
+  double entries = static_cast<double>(rows.countIn(extent)) * depth;
   for (const ChainView* list : {&triangles_, &cap_})
   {
-    for (const Triangle& ids : list->triangles())
+    constexpr std::size_t lookedAt = 1 << 16;
+    const std::size_t step = list->size() / lookedAt + 1;
+    for (std::size_t i = 0; i < list->size(); i += step)
     {
-      Bounds box;
-      for (const auto id : ids)
+      const auto placeOf = [&, ids = (*list)[i]](int corner)
       {
-        box.extend(vertices_[id].cwiseQuotient(grid.spacing));
+        return VertexPlace(vertices_[ids[corner]], grid, extent);
+      };
+      const VertexPlace a = placeOf(0), b = placeOf(1), c = placeOf(2);
+      const IndexRange reached = VertexPlace::rowsOf(a, b, c, extent[2]);
+      const IndexRange layers = VertexPlace::layersOf(a, b, c, extent[4]);
+      if (reached.first <= reached.second)
+      {
+        entries +=
+          static_cast<double>(step) * (layers.second - layers.first + 1) *
+          static_cast<double>(rows.bandOf(reached.second) - rows.bandOf(reached.first) + 1);
       }
-      const Eigen::Vector3d sides = box.sizes();
-      entries +=
-        std::min(sides[1] / rows.rowsPerBand + 1, static_cast<double>(rows.countIn(extent))) *
-        std::min(sides[2] + 1, static_cast<double>(depth));
     }
   }
   constexpr double mostEntries = 1 << 26; // of 4 bytes for a triangle, or 8 for a place
-  const double share = std::min(1.0, mostEntries / entries);
-  return std::max<std::size_t>(1, static_cast<std::size_t>(share * static_cast<double>(depth)));
+  return std::min(1.0, mostEntries / entries) * depth;
 }
 
 } // namespace winding

@@ -57,9 +57,9 @@ struct RowBands
  * of the predicates.
  *
  * The time is linear in the triangles, the crossings and the runs. The memory is 4 bytes per
- * triangle, layer and band that it reaches, 8 per layer and band, and the crossings at work; 24
- * bytes per vertex unless most triangles lie between the rows; and 8 per vertex and 4 per triangle
- * that reaches a row while the triangles are distributed to the bands.
+ * triangle, layer and band that it reaches, 8 per layer and band, and some 50 per sample of the
+ * bands at work; 24 bytes per vertex unless most triangles lie between the rows; and 8 per vertex
+ * and 4 per triangle that reaches a row while the triangles are distributed to the bands.
  */
 class RowCrossings
 {
@@ -94,9 +94,9 @@ public:
 private:
   static const TriangleList& noTriangles();
 
-  /// The layers of an extent whose data is made at once. All of them, but of very deep grids, so
-  /// that the data stays within about half a gigabyte.
-  std::size_t layersAtATime(const Grid& grid, const Extent& extent, const RowBands& rows) const;
+  /// The layers of an extent whose data is made at once, and less than 1 for a part of a layer. All
+  /// of them where the data stays within about half a gigabyte.
+  double layersAtATime(const Grid& grid, const Extent& extent, const RowBands& rows) const;
 
   const std::vector<Eigen::Vector3d>& vertices_;
   ChainView triangles_, cap_;

@@ -15,14 +15,6 @@ namespace winding
 namespace
 {
 
-/// A triangle that a line meets.
-struct Hit
-{
-  std::int32_t sample, triangle;
-  int sense;    ///< +1 if the triangle looks along the axis
-  double place; ///< along the axis
-};
-
 /// A triangle as lines along an axis see it: u and v are the axes after it.
 class ProjectedTriangle
 {
@@ -103,13 +95,6 @@ private:
   int axis_, u_, v_;
 };
 
-int axisOf(const SurfaceSample& sample)
-{
-  int axis = 0;
-  sample.normal.cwiseAbs().maxCoeff(&axis);
-  return axis;
-}
-
 /// Lines along the axes in the bins that they pass.
 class BinnedLines
 {
@@ -117,6 +102,7 @@ public:
   BinnedLines(const Surface& surface, const std::vector<SurfaceSample>& samples, const Bins& bins)
     : surface_(surface)
     , samples_(samples)
+    , chain_(surface)
     , bins_(bins)
     , ofAxis_(3, BinnedItems(samples.size()))
   {
@@ -124,6 +110,15 @@ public:
     {
       const int axis = axisOf(samples[i]), u = (axis + 1) % 3, v = (axis + 2) % 3;
       const Eigen::Vector3d& place = samples[i].position;
+      const auto isBeyond = [&](int across)
+      {
+        return place[across] < surface.bounds.min()[across] ||
+               place[across] > surface.bounds.max()[across];
+      };
+      if (isBeyond(u) || isBeyond(v))
+      {
+        continue;
+      }
       ofAxis_[static_cast<std::size_t>(axis)].add(
         bins.bin(v, place[v]), bins.bin(u, place[u]), static_cast<std::int32_t>(i));
     }
@@ -152,7 +147,7 @@ public:
   }
 
   /// Adds the lines that meet a triangle, whose corners are in a range of bins.
-  void addHits(std::size_t triangle, const BinBox& box, std::vector<Hit>& hits) const
+  void addHits(std::size_t triangle, const BinBox& box, std::vector<LineHit>& hits) const
   {
     this->forEachNear(triangle, box,
       [&](std::int32_t line, const ProjectedTriangle& projected)
@@ -161,8 +156,8 @@ public:
         const int winding = projected.windingRound(place);
         if (winding != 0)
         {
-          hits.push_back(
-            {line, static_cast<std::int32_t>(triangle), winding, projected.placeOn(place)});
+          hits.push_back({line, static_cast<std::int32_t>(triangle),
+            winding * chain_.multiplicity(triangle), projected.placeOn(place)});
         }
       });
   }
@@ -196,6 +191,7 @@ private:
 
   const Surface& surface_;
   const std::vector<SurfaceSample>& samples_;
+  ChainView chain_;
   const Bins& bins_;
   std::vector<BinnedItems> ofAxis_;
 };
@@ -229,8 +225,15 @@ BinBox boxOf(const Bins& bins, const Surface& surface, std::size_t triangle)
 
 } // namespace
 
-double affordableShare(
-  const Surface& surface, const std::vector<SurfaceSample>& samples, const SurfaceSamples& all)
+int axisOf(const SurfaceSample& sample)
+{
+  int axis = 0;
+  sample.normal.cwiseAbs().maxCoeff(&axis);
+  return axis;
+}
+
+double affordableShare(const Surface& surface, const std::vector<SurfaceSample>& samples,
+  const SurfaceSamples& all, double more)
 {
   const Bins bins(all.box, all.extents);
   const BinnedLines lines(surface, samples, bins);
@@ -243,18 +246,16 @@ double affordableShare(
   }
   const auto triangles = static_cast<double>(surface.triangles.size());
   tests *= triangles / static_cast<double>(std::max<std::size_t>(all.ordinary.size(), 1));
-  const double most = 0x1p15 + triangles / 4;
+  const double most = 0x1p15 + triangles / 4 + more;
   return tests > most ? most / tests : 1;
 }
 
-std::vector<SampleLine> linesThrough(const Surface& surface,
-  const std::vector<SurfaceSample>& samples, const SurfaceSamples& all, Executor& executor,
-  const std::vector<std::int32_t>* some)
+std::vector<LineHit> hitsOfLines(const Surface& surface, const std::vector<SurfaceSample>& samples,
+  const SurfaceSamples& all, Executor& executor, const std::vector<std::int32_t>* some)
 {
-  std::vector<SampleLine> result(samples.size());
   if (samples.empty())
   {
-    return result;
+    return {};
   }
   const Bins bins(all.box, all.extents);
   const BinnedLines lines(surface, samples, bins);
@@ -264,7 +265,7 @@ std::vector<SampleLine> linesThrough(const Surface& surface,
     executor);
   constexpr std::size_t perBlock = 16384;
   const std::size_t triangles = some ? some->size() : surface.triangles.size();
-  std::vector<std::vector<Hit>> ofBlocks((triangles + perBlock - 1) / perBlock);
+  std::vector<std::vector<LineHit>> ofBlocks((triangles + perBlock - 1) / perBlock);
   runBlocks(
     triangles, perBlock,
     [&](std::size_t block, std::size_t first, std::size_t last)
@@ -284,53 +285,61 @@ std::vector<SampleLine> linesThrough(const Surface& surface,
       }
     },
     executor);
-
-  const double atPoint = 0x1p-20 * surface.bounds.sizes().maxCoeff();
-  const ChainView chain(surface);
-  std::vector<double> nearest(samples.size(), std::numeric_limits<double>::infinity());
-  for (const std::vector<Hit>& hits : ofBlocks)
+  std::vector<LineHit> hits;
+  for (const std::vector<LineHit>& ofBlock : ofBlocks)
   {
-    for (const Hit& hit : hits)
+    hits.insert(hits.end(), ofBlock.begin(), ofBlock.end());
+  }
+  return hits;
+}
+
+std::vector<SampleLine> linesThrough(const Surface& surface,
+  const std::vector<SurfaceSample>& samples, const SurfaceSamples& all, Executor& executor,
+  const std::vector<std::int32_t>* some)
+{
+  std::vector<SampleLine> result(samples.size());
+  const double atPoint = 0x1p-20 * surface.bounds.sizes().maxCoeff();
+  std::vector<double> nearest(samples.size(), std::numeric_limits<double>::infinity());
+  for (const LineHit& hit : hitsOfLines(surface, samples, all, executor, some))
+  {
+    const auto number = static_cast<std::size_t>(hit.sample);
+    const SurfaceSample& sample = samples[number];
+    const int axis = axisOf(sample), along = sample.normal[axis] > 0 ? 1 : -1;
+    const int times = along * hit.times;
+    const double ahead = along * (hit.place - sample.position[axis]);
+    SampleLine& line = result[number];
+    const bool isAtPoint = hit.triangle == sample.triangle || std::abs(ahead) <= atPoint;
+    line.times += isAtPoint ? 0 : std::abs(times);
+    if (isAtPoint)
     {
-      const auto number = static_cast<std::size_t>(hit.sample);
-      const SurfaceSample& sample = samples[number];
-      const int axis = axisOf(sample), along = sample.normal[axis] > 0 ? 1 : -1;
-      const int times =
-        along * hit.sense * chain.multiplicity(static_cast<std::size_t>(hit.triangle));
-      const double ahead = along * (hit.place - sample.position[axis]);
-      SampleLine& line = result[number];
-      const bool isAtPoint = hit.triangle == sample.triangle || std::abs(ahead) <= atPoint;
-      line.times += isAtPoint ? 0 : std::abs(times);
-      if (isAtPoint)
+      line.step += times;
+      line.isRepeated |=
+        hit.triangle != sample.triangle && sample.triangle >= 0 &&
+        sharedCorners(surface.triangles[hit.triangle], surface.triangles[sample.triangle]) > 1;
+    }
+    else if (ahead > 0)
+    {
+      line.before += times;
+      ++line.facesBefore;
+    }
+    else
+    {
+      line.behind -= times;
+      ++line.facesBehind;
+      if (-ahead > nearest[number] + atPoint)
       {
-        line.step += times;
-        line.isRepeated |=
-          hit.triangle != sample.triangle && sample.triangle >= 0 &&
-          sharedCorners(surface.triangles[hit.triangle], surface.triangles[sample.triangle]) > 1;
+        continue;
       }
-      else if (ahead > 0)
+      // Where faces coincide, one that looks the other way ends the wall.
+      const Eigen::Vector3d normal = unitNormalOf(surface, surface.triangles[hit.triangle]);
+      const double wall = thicknessOf(sample.normal, normal, axis, -ahead);
+      if (-ahead < nearest[number] - atPoint || wall < line.wall)
       {
-        line.before += times;
-        ++line.facesBefore;
+        line.wall = wall;
+        line.entry = thicknessOf(sample.normal, -normal, axis, -ahead);
+        line.wallTriangle = hit.triangle;
       }
-      else
-      {
-        line.behind -= times;
-        ++line.facesBehind;
-        if (-ahead > nearest[number] + atPoint)
-        {
-          continue;
-        }
-        // Where faces coincide, one that looks the other way ends the wall.
-        const double wall = thicknessOf(
-          sample.normal, unitNormalOf(surface, surface.triangles[hit.triangle]), axis, -ahead);
-        if (-ahead < nearest[number] - atPoint || wall < line.wall)
-        {
-          line.wall = wall;
-          line.wallTriangle = hit.triangle;
-        }
-        nearest[number] = std::min(nearest[number], -ahead);
-      }
+      nearest[number] = std::min(nearest[number], -ahead);
     }
   }
   return result;

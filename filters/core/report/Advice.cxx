@@ -24,6 +24,10 @@ std::string counted(std::size_t count, const char* one, const char* many)
 
 using Advice = std::vector<Message>;
 
+const char* const nothingToMend = "nothing to mend; ";
+const char* const outwardPoints =
+  "oriented points, outward: winding numbers are approximate, and best away from the points";
+
 /// Adds what `statement` says of `count` things, and what to do, unless there are none.
 void add(Advice& advice, std::size_t count, const char* one, const char* many,
   const std::string& statement, const std::vector<Remedy>& remedies = {})
@@ -34,7 +38,7 @@ void add(Advice& advice, std::size_t count, const char* one, const char* many,
   }
 }
 
-const Remedy turnedFaces = {"", {{Parameter::orientFaces, 1}}};
+const Remedy turnedFaces = {"turn the faces", {{Parameter::orientFaces, 1}}};
 const Remedy absoluteRule = {
   "", {{Parameter::insideRule, static_cast<int>(InsideRule::absoluteThreshold)}}};
 
@@ -112,7 +116,6 @@ Advice mainAdviceOn(const Surface& surface, const SurfaceReport& report)
   }
   if (edges.isClosed())
   {
-    advice.emplace_back("closed: every winding number is an integer");
     return advice;
   }
   if (edges.inconsistent > 0)
@@ -193,8 +196,7 @@ Message mainAdviceOn(const CloudReport& report)
     return {"oriented points, but inside out", {absoluteRule, {"turn the normals round", {}}},
       "winding numbers inside are -1"};
   }
-  return {
-    "oriented points, outward: winding numbers are approximate, and best away from the points"};
+  return {outwardPoints};
 }
 
 /// Whether some point is alone in a large part of the bounds, which would be smaller without it.
@@ -206,8 +208,16 @@ bool hasOutlier(const CloudReport& report)
 }
 
 /// Adds what is wrong with parts of a surface.
-void addFaults(Advice& advice, const SurfaceReport& report)
+void addFaults(Advice& advice, const Surface& surface, const SurfaceReport& report)
 {
+  if (report.hollow)
+  {
+    const double size = surface.bounds.sizes().maxCoeff();
+    advice.emplace_back(
+      "two walls with openings up to about " + inDigits(report.hollow->opening, 1),
+      std::vector<Remedy>{report.hollow->remedy()},
+      "they are " + percentOf(report.wallThickness / size) + " of the size apart");
+  }
   addOrientation(advice, report.orientation, isSaidInsideOut(report));
   add(advice, report.openPartsInside, "open part lies", "open parts lie",
     "inside of closed ones: they bound nothing, but change winding numbers around them",
@@ -220,8 +230,35 @@ void addFaults(Advice& advice, const SurfaceReport& report)
   {
     takenOnce = {{"take each once", {{Parameter::orientFaces, 1}}}};
   }
-  add(advice, report.duplicateTriangles, "triangle repeats", "triangles repeat",
-    "others: equal ones add up, opposite ones cancel", takenOnce);
+  if (report.shareOnce < 1)
+  {
+    advice.emplace_back("parts overlap, where winding numbers are 2 or more", std::vector<Remedy>(),
+      "the volume is their integral; counted once it is about " +
+        inDigits(report.shareOnce * report.volume, 2));
+  }
+  // Closed parts that share faces are right as they are.
+  if (!report.edges.isClosed() || report.mendableTriangles > 0)
+  {
+    add(advice, report.duplicateTriangles, "triangle repeats", "triangles repeat",
+      "others: equal ones add up, opposite ones cancel", takenOnce);
+  }
+}
+
+/// Has remedies that turn faces name what the report itself can do, first.
+void nameOwnRemedies(Advice& advice)
+{
+  for (Message& message : advice)
+  {
+    for (Remedy& remedy : message.remedies)
+    {
+      const auto turning = std::find_if(remedy.settings.begin(), remedy.settings.end(),
+        [](const Setting& setting) { return setting.parameter == Parameter::orientFaces; });
+      if (turning != remedy.settings.end())
+      {
+        remedy.settings.insert(turning, {Parameter::fixOrientation, 1});
+      }
+    }
+  }
 }
 
 } // namespace
@@ -231,12 +268,18 @@ Advice adviceOn(const Surface& surface, const SurfaceReport& report)
   Advice advice = mainAdviceOn(surface, report);
   if (!report.isTwoSided)
   {
-    addFaults(advice, report);
+    addFaults(advice, surface, report);
   }
   add(advice, surface.nonFiniteTriangles, "triangle is", "triangles are",
     "left out for NaN or infinite coordinates");
   add(advice, surface.invalidIdTriangles, "triangle is", "triangles are",
     "left out for points that do not exist");
+  if (report.edges.isClosed() && !report.isTwoSided && !surface.triangles.empty())
+  {
+    const char* const verdict = advice.empty() ? nothingToMend : "";
+    advice.emplace_back(verdict + std::string("closed: every winding number is an integer"));
+  }
+  nameOwnRemedies(advice);
   return advice;
 }
 
@@ -258,6 +301,10 @@ Advice adviceOn(const CloudReport& report)
   if (finite > 0)
   {
     add(advice, report.nonFinite, "point is", "points are", "left out for NaN or infinite values");
+  }
+  if (advice.size() == 1 && advice[0].fault == outwardPoints)
+  {
+    advice[0].fault = nothingToMend + advice[0].fault;
   }
   return advice;
 }

@@ -5,9 +5,12 @@
 #include "diagnosis/ThinParts.h"
 #include "field/Field.h"
 #include "report/InputUnits.h"
+#include "report/UnusedOptions.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace winding
@@ -49,25 +52,28 @@ private:
 struct LabelFacts
 {
   FieldInfo source; ///< sums over all solids; method, reason and kind are the largest solid's
-  std::size_t largest = 0;         ///< primitives of the solid that has most
-  std::size_t expected = 0;        ///< number of all solids
-  std::size_t solids = 0;          ///< number of those that were added
-  NamedSolids empty;               ///< solids without primitives
-  NamedSolids open;                ///< surfaces with net boundary edges
-  NamedSolids openParts;           ///< others that are open inside of closed ones
-  NamedSolids insideOut;           ///< those where w is negative and nothing is inside
-  NamedSolids missed;              ///< those that the grid misses
-  NamedSolids thin;                ///< others without a voxel inside, which do not look inward
-  NamedSolids lostInPart;          ///< those with parts that are thinner than a voxel
-  ThinParts largestLoss;           ///< of these, the one with the largest share
-  NamedSolids partlyInsideOut;     ///< those where w is negative in part, and something is inside
-  NamedSolids warned;              ///< those with a warning
-  std::vector<Message> warnings;   ///< of the first solid that has some
-  std::vector<NamedBounds> bounds; ///< of all solids that were added
+  std::size_t largest = 0;       ///< primitives of the solid that has most
+  std::size_t expected = 0;      ///< number of all solids
+  std::size_t solids = 0;        ///< number of those that were added
+  NamedSolids empty;             ///< solids without primitives
+  NamedSolids open;              ///< surfaces with net boundary edges
+  NamedSolids openParts;         ///< others that are open inside of closed ones
+  NamedSolids insideOut;         ///< those where w is negative and nothing is inside
+  NamedSolids missed;            ///< those that the grid misses
+  NamedSolids thin;              ///< others without a voxel inside, which do not look inward
+  NamedSolids lostInPart;        ///< those with parts that are thinner than a voxel
+  ThinParts largestLoss;         ///< of these, the one with the largest share
+  NamedSolids partlyInsideOut;   ///< those where w is negative in part, and something is inside
+  NamedSolids warned;            ///< those with a warning
+  std::vector<Message> warnings; ///< of the first solid that has some
+  std::vector<std::pair<Message, NamedSolids>> mends; ///< of the first solid, by what was done
+  UnusedOptions unused;                               ///< for which no solid has a use
+  std::vector<NamedBounds> bounds;                    ///< of all solids that were added
 
   void add(const FieldInfo& info, const std::string& name, bool isOpenPart)
   {
     ++solids;
+    unused.add(info);
     bounds.push_back({name, info.bounds});
     if (solids == 1 || info.primitives > largest)
     {
@@ -94,6 +100,19 @@ struct LabelFacts
       warnings = warned.count() == 0 ? info.warnings : warnings;
       warned.add(name);
     }
+  }
+
+  /// Adds a note that a solid was mended.
+  void addMend(const Message& note, const std::string& name)
+  {
+    auto found = std::find_if(mends.begin(), mends.end(),
+      [&note](const auto& mend) { return mend.first.fault == note.fault; });
+    if (found == mends.end())
+    {
+      mends.emplace_back(note, NamedSolids());
+      found = mends.end() - 1;
+    }
+    found->second.add(name);
   }
 
 private:

@@ -3,7 +3,7 @@
 #include "report/SurfaceExamination.h"
 
 #include "field/Field.h"
-#include "report/FractionalShare.h"
+#include "report/SampleShares.h"
 #include "source/Sanitize.h"
 
 namespace winding
@@ -19,7 +19,15 @@ SurfaceExamination examineSurface(const std::vector<TrianglesView>& triangles,
   found.report = reportOn(surface, found.edges, executor, polygonPartsOf(triangles));
   found.report.openings = found.field->info().openings;
   found.vertices = countVertices(points, surface, executor);
-  found.fractionalShare = fractionalShare(*found.field, executor);
+  const SampleShares shares = sampleShares(*found.field, executor);
+  found.fractionalShare = shares.fractional;
+  found.report.shareOnce = shares.once;
+  const InsideTest isInside;
+  found.report.wallThickness = thicknessOfWalls(*found.field, isInside, executor);
+  if (found.report.wallThickness > 0 && found.report.edges.isClosed())
+  {
+    found.report.hollow = findHollow(*found.field, isInside, executor);
+  }
   return found;
 }
 

@@ -22,7 +22,7 @@ struct SurfaceExamination
   SurfaceEdges edges;
   SurfaceReport report; ///< with openings
   VertexCounts vertices;
-  std::optional<double> fractionalShare; ///< by that function of FractionalShare.h
+  std::optional<double> fractionalShare; ///< by SampleShares.h
 };
 
 /// Examines the surface that `triangles` make. `points` are all points that it was made from, of

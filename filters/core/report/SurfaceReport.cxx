@@ -114,6 +114,16 @@ SurfaceReport reportOn(
     const std::vector<char> isLeftOut = facesToLeaveOut(surface, edges, faces, parts, executor);
     report.mendableTriangles =
       static_cast<std::size_t>(std::count(isLeftOut.begin(), isLeftOut.end(), char(1)));
+    OrientationCounts& counts = report.orientation;
+    if (counts.nestedSolids + counts.inverted > 0)
+    {
+      // Walls cancel: what fills a cavity exactly is not nested.
+      const Surface skins = SurfacePart(surface, withWalls(isLeftOut, faces), false).chain;
+      const OrientationCounts ofSkins =
+        countOrientations(skins, edgesOf(skins, executor), executor);
+      counts.nestedSolids = ofSkins.nestedSolids;
+      counts.inverted = ofSkins.inverted;
+    }
   }
   if (!edges.rims.empty())
   {
@@ -126,10 +136,6 @@ SurfaceReport reportOn(
     surface.bounds.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(surface.bounds.center());
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)
   {
-    if (faces.kinds[i] == FaceKind::repeated)
-    {
-      continue;
-    }
     const Triangle& triangle = surface.triangles[i];
     // Only the volume uses offsets from the centre: their rounding would give area to triangles
     // whose vertices lie on a line.
@@ -137,9 +143,12 @@ SurfaceReport reportOn(
     const Eigen::Vector3d& b = surface.vertices[triangle[1]];
     const Eigen::Vector3d& c = surface.vertices[triangle[2]];
     const Eigen::Vector3d normal = (b - a).cross(c - a);
-    report.zeroAreaTriangles += normal == Eigen::Vector3d::Zero();
-    report.area += 0.5 * normal.norm();
     report.volume += (a - center).dot(normal) / 6;
+    if (faces.kinds[i] != FaceKind::repeated)
+    {
+      report.zeroAreaTriangles += normal == Eigen::Vector3d::Zero();
+      report.area += 0.5 * normal.norm();
+    }
   }
   report.eulerCharacteristic = static_cast<long long>(surface.vertices.size()) -
                                static_cast<long long>(report.edges.edges) +

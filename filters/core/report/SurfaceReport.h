@@ -4,6 +4,7 @@
 
 #include "base/Executor.h"
 #include "base/Views.h"
+#include "report/Hollow.h"
 #include "source/Surface.h"
 #include "surface/Openings.h"
 #include "surface/Slits.h"
@@ -60,7 +61,12 @@ struct SurfaceReport
   std::optional<double> widestSlit;   ///< width of the widest; none without boundary edges
   double medianEdgeLength = 0;        ///< of all edges; measured where there are boundary edges
   double area = 0;                    ///< of all triangles except repeated ones
-  double volume = 0; ///< enclosed signed volume; meaningful for closed surfaces only
+  /// The integral of w over space, which counts overlaps as often as they are there. It means
+  /// something for closed surfaces only.
+  double volume = 0;
+  double wallThickness = 0;     ///< by that function of Hollow.h; left to the caller
+  std::optional<Hollow> hollow; ///< of a surface with thin walls; left to the caller
+  double shareOnce = 1; ///< of that, each place counted once (SampleShares.h); left to the caller
 
   /// The number V − E + F of vertices, edges and triangles: 2 for a sphere, 0 for a torus.
   long long eulerCharacteristic = 0;

@@ -46,6 +46,33 @@ int countVoxels(double length, double voxelSize)
   return static_cast<int>(count);
 }
 
+/// Returns the margin on each side: the padding, or a voxel if that is more.
+Eigen::Vector3d marginOf(const GridRequest& request)
+{
+  const Eigen::Array3d own = request.bounds.sizes().array();
+  const double longest = own.maxCoeff();
+  const bool hasDimensions = request.dimensions != Eigen::Vector3i::Zero();
+  const bool isCubic = request.isCubic || !hasDimensions;
+  Eigen::Array3d margin = Eigen::Array3d::Constant(longest * request.padding);
+  if (!isCubic)
+  {
+    margin = request.padding * (own > 0).select(own, longest);
+  }
+  if (request.padding == 0)
+  {
+    return margin;
+  }
+  Eigen::Array3d voxels = Eigen::Array3d::Constant(request.voxelSize);
+  if (hasDimensions || !(request.voxelSize > 0))
+  {
+    const Eigen::Vector3i counts =
+      hasDimensions ? request.dimensions : Eigen::Vector3i::Constant(request.resolution);
+    const Eigen::Array3d inner = counts.cast<double>().array() - 2;
+    voxels = (inner > 0).select(own * inner.inverse(), 0);
+  }
+  return margin.max(isCubic ? Eigen::Array3d::Constant(voxels.maxCoeff()) : voxels);
+}
+
 void checkSampleCount(const Grid& grid)
 {
   const double samples = grid.dimensions.cast<double>().prod();
@@ -136,13 +163,13 @@ Grid setUpGrid(const GridRequest& request)
     throw Refusal(
       Message(Parameter::padding, joined("is ", request.padding, "; it must be 0 or more")));
   }
-  const double longest = request.bounds.sizes().maxCoeff();
-  Eigen::Vector3d margin = Eigen::Vector3d::Constant(longest * request.padding);
-  if (request.dimensions != Eigen::Vector3i::Zero() && !request.isCubic)
+  if (!(request.voxelSize >= 0) || !std::isfinite(request.voxelSize))
   {
-    const Eigen::Array3d own = request.bounds.sizes().array();
-    margin = request.padding * (own > 0).select(own, longest).matrix();
+    throw Refusal(Message(Parameter::voxelSize,
+      joined("is ", request.voxelSize, "; it must be 0 (from resolution) or more")));
   }
+  const double longest = request.bounds.sizes().maxCoeff();
+  const Eigen::Vector3d margin = marginOf(request);
   const Bounds padded(request.bounds.min() - margin, request.bounds.max() + margin);
   checkBounds(padded);
   const Eigen::Vector3d sides = padded.sizes();
@@ -173,11 +200,6 @@ Grid setUpGrid(const GridRequest& request)
   }
   else
   {
-    if (!(request.voxelSize >= 0) || !std::isfinite(request.voxelSize))
-    {
-      throw Refusal(Message(Parameter::voxelSize,
-        joined("is ", request.voxelSize, "; it must be 0 (from resolution) or more")));
-    }
     if (request.voxelSize == 0 && request.resolution < 1)
     {
       throw Refusal(Message(

@@ -98,12 +98,13 @@ struct GridRequest
 {
   Bounds bounds; ///< the box to cover: the source's, or the user's own
   /// Margin on each side, as a fraction of the longest side. Where voxels are not cubic, it is a
-  /// fraction of each axis's own side, unless that is 0.
+  /// fraction of each axis's own side, unless that is 0. It is a voxel at least if it is not 0 and
+  /// three voxels or more are given.
   double padding = 0;
   Eigen::Vector3i dimensions = Eigen::Vector3i::Zero(); ///< voxels per axis; 0 0 0: cubic voxels
   bool isCubic = false; ///< whether voxels are cubic even where dimensions are given
   double voxelSize = 0; ///< side of the cubic voxels; 0: follows from resolution
-  int resolution = 64;  ///< number of cubic voxels along the longest side
+  int resolution = 128; ///< number of cubic voxels along the longest side
 };
 
 /**

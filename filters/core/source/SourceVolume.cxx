@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace winding
 {
@@ -25,25 +26,33 @@ double sizeOfSum(std::vector<double>& terms)
   return std::abs(sum);
 }
 
+/// Returns the volume of the cone from `apex` to a triangle.
+double coneVolume(const Surface& surface, std::size_t triangle, const Eigen::Vector3d& apex)
+{
+  const Triangle t = lowestFirst(surface.vertices, surface.triangles[triangle]);
+  const Eigen::Vector3d& a = surface.vertices[t[0]];
+  const Eigen::Vector3d u = surface.vertices[t[1]] - a, v = surface.vertices[t[2]] - a;
+  return (a - apex).dot(u.cross(v)) / 6;
+}
+
 } // namespace
 
 double volumeOf(const Surface& surface)
 {
-  if (surface.bounds.isEmpty())
-  {
-    return 0;
-  }
-  const Eigen::Vector3d middle = surface.bounds.center();
-  std::vector<double> terms;
-  terms.reserve(surface.triangles.size());
+  return volumesOf(surface, std::vector<std::int32_t>(surface.triangles.size()), 1)[0];
+}
+
+std::vector<double> volumesOf(
+  const Surface& surface, const std::vector<std::int32_t>& partOf, std::size_t count)
+{
+  std::vector<std::vector<double>> terms(count);
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)
   {
-    const Triangle t = lowestFirst(surface.vertices, surface.triangles[i]);
-    const Eigen::Vector3d& a = surface.vertices[t[0]];
-    const Eigen::Vector3d u = surface.vertices[t[1]] - a, v = surface.vertices[t[2]] - a;
-    terms.push_back((a - middle).dot(u.cross(v)) / 6);
+    terms[partOf[i]].push_back(coneVolume(surface, i, surface.bounds.center()));
   }
-  return sizeOfSum(terms);
+  std::vector<double> volumes;
+  std::transform(terms.begin(), terms.end(), std::back_inserter(volumes), sizeOfSum);
+  return volumes;
 }
 
 double volumeOf(const PointCloud& cloud)

@@ -5,6 +5,10 @@
 #include "source/PointCloud.h"
 #include "source/Surface.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 namespace winding
 {
 
@@ -22,5 +26,9 @@ namespace winding
 double volumeOf(const Surface& surface);
 double volumeOf(const PointCloud& cloud);
 ///@}
+
+/// Returns volumeOf() each of `count` parts of a surface; `partOf` has the part of each triangle.
+std::vector<double> volumesOf(
+  const Surface& surface, const std::vector<std::int32_t>& partOf, std::size_t count);
 
 } // namespace winding

@@ -47,16 +47,17 @@ void TriangleSum::multiply(const TriangleList& triangles, std::size_t first, std
 /// Sums all triangles, run by run of equal multiplicity. isSuspect may be null.
 void TriangleSum::sum(const SampleBlock& block, double* values, bool* isSuspect) const
 {
-  std::call_once(areOrdered_, [this] { ordered_ = inCoordinateOrder(vertices_, triangles_); });
+  const OrderedTriangles& ordered =
+    ordered_.get([this] { return inCoordinateOrder(vertices_, triangles_); });
   SampleBlock scaled;
   scaleSamples(block, scale_, scaled);
   MultipleAngles sums(scaled.count, values, isSuspect);
-  ChainView(ordered_.triangles, ordered_.multiplicities)
+  ChainView(ordered.triangles, ordered.multiplicities)
     .forEachRun(
       [&](std::size_t first, std::size_t last, std::int32_t multiplicity)
       {
         AngleProducts products(scaled.count);
-        this->multiply(ordered_.triangles, first, last, scaled, products, isSuspect != nullptr);
+        this->multiply(ordered.triangles, first, last, scaled, products, isSuspect != nullptr);
         sums.add(products, multiplicity);
       });
 }
@@ -83,11 +84,11 @@ DipoleSum::DipoleSum(const PointCloud& cloud, const std::vector<double>& areas)
 /// the pointer to the lengths is null for pure dipoles.
 template <class AddChunk> void DipoleSum::forEachChunk(const AddChunk& addChunk) const
 {
-  std::call_once(areOrdered_,
+  const std::vector<std::uint32_t>& order = order_.get(
     [this]
     {
       SerialExecutor serial;
-      order_ = coordinateOrder(cloud_, areas_, serial);
+      return coordinateOrder(cloud_, areas_, serial);
     });
   KernelDipole chunk[kernelChunk];
   double inverseLengths[kernelChunk];
@@ -99,7 +100,7 @@ template <class AddChunk> void DipoleSum::forEachChunk(const AddChunk& addChunk)
     for (std::size_t i = 0; i < count; ++i)
     {
       // The two factors of scale come one after the other: their product alone may leave the range.
-      const std::uint32_t point = order_[first + i];
+      const std::uint32_t point = order[first + i];
       const double weight = areas_[point] * scale_ * scale_ / (4 * pi);
       chunk[i] = kernelDipole(cloud_.positions[point] * scale_, cloud_.normals[point] * weight);
       inverseLengths[i] = lengths.empty() ? 0 : inverseOfLength(lengths[point] * scale_);

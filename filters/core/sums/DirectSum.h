@@ -5,6 +5,7 @@
 #include "base/Bounds.h"
 #include "base/Evaluator.h"
 #include "base/Executor.h"
+#include "base/Lazy.h"
 #include "source/CoordinateOrder.h"
 #include "source/PointCloud.h"
 #include "source/Surface.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
 #include <vector>
 
 namespace winding
@@ -95,8 +95,7 @@ private:
 
   const std::vector<Eigen::Vector3d>& vertices_;
   ChainView triangles_;
-  mutable std::once_flag areOrdered_;
-  mutable OrderedTriangles ordered_; ///< the triangles, once a value was asked for
+  Lazy<OrderedTriangles> ordered_; ///< the triangles
   double scale_; ///< a power of two that brings the surface to about unit size, without rounding
 };
 
@@ -120,8 +119,7 @@ private:
 
   const PointCloud& cloud_;
   const std::vector<double>& areas_;
-  mutable std::once_flag areOrdered_;
-  mutable std::vector<std::uint32_t> order_; ///< numbers of the points, once a value was asked for
+  Lazy<std::vector<std::uint32_t>> order_; ///< numbers of the points
   double scale_;
 };
 

@@ -21,22 +21,24 @@ BoundaryGradient::BoundaryGradient(const Surface& surface, BoundaryEdges edges)
 
 void BoundaryGradient::evaluateGradients(const SampleBlock& block, double* gradients) const
 {
-  std::call_once(areOrdered_,
+  const BoundaryEdges& edges = ordered_.get(
     [this]
     {
       SerialExecutor serial;
-      edges_ = sortedByCoordinates(edges_, surface_.vertices, serial);
+      BoundaryEdges ordered = sortedByCoordinates(edges_, surface_.vertices, serial);
+      edges_ = BoundaryEdges(); // frees its memory
+      return ordered;
     });
   SampleBlock scaled;
   scaleSamples(block, scale_, scaled);
   GradientSums sums;
   KernelEdge chunk[kernelChunk];
-  for (std::size_t first = 0; first < edges_.size(); first += kernelChunk)
+  for (std::size_t first = 0; first < edges.size(); first += kernelChunk)
   {
-    const std::size_t count = std::min(kernelChunk, edges_.size() - first);
+    const std::size_t count = std::min(kernelChunk, edges.size() - first);
     for (std::size_t i = 0; i < count; ++i)
     {
-      const BoundaryEdge& edge = edges_[first + i];
+      const BoundaryEdge& edge = edges[first + i];
       chunk[i] = kernelEdge(surface_.vertices[edge.from] * scale_,
         surface_.vertices[edge.to] * scale_, edge.multiplicity);
     }

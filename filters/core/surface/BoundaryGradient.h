@@ -3,10 +3,10 @@
 #pragma once
 
 #include "base/Evaluator.h"
+#include "base/Lazy.h"
 #include "source/Surface.h"
 #include "surface/Boundary.h"
 
-#include <mutex>
 #include <vector>
 
 namespace winding
@@ -46,8 +46,8 @@ public:
 
 private:
   const Surface& surface_;
-  mutable std::once_flag areOrdered_;
-  mutable BoundaryEdges edges_; ///< by coordinates, once a gradient was asked for
+  mutable BoundaryEdges edges_; ///< none once they are ordered
+  Lazy<BoundaryEdges> ordered_; ///< by coordinates
   double scale_;                ///< brings the surface to about unit size (UnitScale.h)
 };
 

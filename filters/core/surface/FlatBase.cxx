@@ -462,6 +462,14 @@ std::vector<Message> notesOn(const BasedOpenings& openings)
 FlatBase::FlatBase(const std::string& text)
   : direction_(directionIn(text))
 {
+  const std::string words = trimmed(text);
+  const std::size_t last = words.find_last_of(" \t") + 1; // 0 for a single word
+  const std::vector<double> depth = numbersIn(words.substr(last));
+  if (direction_.isZero() && depth.size() == 1 && depth[0] >= 0)
+  {
+    direction_ = directionIn(words.substr(0, last));
+    depth_ = depth[0];
+  }
   if (!direction_.isZero())
   {
     return;
@@ -487,7 +495,7 @@ Plane FlatBase::planeBelow(const std::vector<Eigen::Vector3d>& positions) const
     {
       most = std::max(most, direction_.dot(position));
     }
-    return {direction_, most};
+    return {direction_, most + depth_};
   }
   Bounds heights;
   for (const Eigen::Vector3d& position : positions)
@@ -607,9 +615,14 @@ BasedOpenings FlatBase::addTo(Surface& surface, Executor& executor) const
 
 std::string FlatBase::along(const Eigen::Matrix3d& inverseAxes, const Eigen::Vector3d& origin) const
 {
-  return plane_                ? textAlong({*plane_}, inverseAxes, origin)
-         : direction_.isZero() ? std::string()
-                               : "direction " + textOf(inverseAxes * direction_);
+  if (plane_ || direction_.isZero())
+  {
+    return plane_ ? textAlong({*plane_}, inverseAxes, origin) : std::string();
+  }
+  const Eigen::Vector3d direction = inverseAxes * direction_;
+  constexpr int exact = 17;
+  return joined(
+    "direction ", textOf(direction), ' ', inDigits(depth_ * direction.stableNorm(), exact));
 }
 
 } // namespace winding

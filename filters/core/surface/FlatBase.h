@@ -54,7 +54,8 @@ class FlatBase
 {
 public:
   /// Takes a plane as planesIn() does, or a direction as directionIn() does, in which the base
-  /// touches the surface from outside. Throws Refusal for other texts; an empty one is no base.
+  /// touches the surface from outside. After a direction, a number as in "down 0.5" is a distance
+  /// from the surface. Throws Refusal for other texts; an empty one is no base.
   explicit FlatBase(const std::string& text);
 
   bool isNone() const { return !plane_ && direction_.isZero(); }
@@ -74,6 +75,7 @@ private:
 
   std::optional<Plane> plane_;
   Eigen::Vector3d direction_ = Eigen::Vector3d::Zero();
+  double depth_ = 0; ///< of the base below the surface, along the direction
 };
 
 } // namespace winding

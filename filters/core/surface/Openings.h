@@ -27,6 +27,9 @@ struct Openings
   /// Returns whether the openings are so wide that w may be below ½ well behind the surface.
   bool areWide() const { return share > 0.6; }
 
+  /// Returns whether they leave no room between the surface and its openings for an inside.
+  bool boundNothing() const { return share >= 0.75; }
+
   /// Returns whether the surface is nearly plane, so that it has no depth to be closed at.
   bool areOfSheet() const { return share >= 0.95; }
 };

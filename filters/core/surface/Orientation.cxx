@@ -347,17 +347,6 @@ private:
   std::vector<double> areas_;
 };
 
-void turn(Surface& surface, const std::vector<char>& isTurned)
-{
-  for (std::size_t i = 0; i < isTurned.size(); ++i)
-  {
-    if (isTurned[i])
-    {
-      std::swap(surface.triangles[i][1], surface.triangles[i][2]);
-    }
-  }
-}
-
 /// Decides for each component that stays open whether to turn it, where flat lids would close it.
 void decideByLids(const Surface& surface, const Components& components,
   const std::vector<char>& isCapped, std::vector<char>& isTurned, Executor& executor)
@@ -398,34 +387,6 @@ std::vector<char> componentsToTurn(const Surface& turned, const SurfaceEdges& ed
     result[i] = result[i] && !isFixed[i];
   }
   return result;
-}
-
-/// Returns whether triangles agree, or cancel, at all edges of more than one.
-bool agreesEverywhere(const SurfaceEdges& edges)
-{
-  const bool pairsAgree = std::all_of(edges.pairs.begin(), edges.pairs.end(),
-    [](const SurfaceEdges::Pair& pair) { return pair.agrees; });
-  return pairsAgree &&
-         std::all_of(edges.crowds.begin(), edges.crowds.end(),
-           [&edges](const SurfaceEdges::Crowd& crowd) { return edges.net(crowd) == 0; });
-}
-
-/// Returns the triangles that are left out, and the pairs that stay as walls.
-std::vector<char> withWalls(std::vector<char> isLeftOut, const RepeatedFaces& faces)
-{
-  std::vector<char> hasOpposite(isLeftOut.size(), 0); // by group
-  for (std::size_t i = 0; i < isLeftOut.size(); ++i)
-  {
-    if (faces.kinds[i] == FaceKind::opposite && !isLeftOut[i])
-    {
-      hasOpposite[faces.groups[i]] = 1;
-    }
-  }
-  for (std::size_t i = 0; i < isLeftOut.size(); ++i)
-  {
-    isLeftOut[i] |= static_cast<char>(faces.groups[i] >= 0 && hasOpposite[faces.groups[i]]);
-  }
-  return isLeftOut;
 }
 
 /// Orients a surface whose faces are there once each.
@@ -527,28 +488,16 @@ Orientation orientInOrder(const Surface& surface, const PolygonParts& parts,
   }
   Orientation result;
   result.isLeftOut = facesToLeaveOut(surface, edges, faces, parts, executor);
-  SurfacePart once(surface, result.isLeftOut, false);
+  // Both faces of a wall cancel, so that nothing depends on them.
+  SurfacePart once(surface, withWalls(result.isLeftOut, faces), false);
   SurfaceEdges edgesOfOnce = edgesOf(once.chain, executor);
-  if (!agreesEverywhere(edgesOfOnce))
+  if (contradictionsOf(once.chain, edgesOfOnce).oneSided > 0)
   {
-    SurfacePart skins(surface, withWalls(result.isLeftOut, faces), false);
-    SurfaceEdges edgesOfSkins = edgesOf(skins.chain, executor);
     // Walls may be all that keeps parts from having one side only.
-    if (contradictionsOf(skins.chain, edgesOfSkins).oneSided == 0)
-    {
-      once = std::move(skins);
-      edgesOfOnce = std::move(edgesOfSkins);
-    }
+    once = SurfacePart(surface, result.isLeftOut, false);
+    edgesOfOnce = edgesOf(once.chain, executor);
   }
-  PolygonParts partsOfOnce;
-  for (const std::size_t number : once.numbers)
-  {
-    if (!parts.empty())
-    {
-      partsOfOnce.push_back(parts[number]);
-    }
-  }
-  const Orientation found = orientOnce(once.chain, edgesOfOnce, partsOfOnce, executor);
+  const Orientation found = orientOnce(once.chain, edgesOfOnce, once.partsOf(parts), executor);
   result.triangles = found.triangles;
   result.components = found.components;
   result.isTurned.resize(surface.triangles.size(), 0);
@@ -594,6 +543,10 @@ Contradictions contradictionsOf(const Surface& surface, const SurfaceEdges& edge
   {
     const Patches patches(surface, edges, {});
     found.oneSided = patches.oneSided();
+    for (std::size_t i = 0; found.oneSided > 0 && i < surface.triangles.size(); ++i)
+    {
+      found.oneSidedTriangles += patches.isOneSided(patches.of(i));
+    }
     for (const SurfaceEdges::Pair& pair : edges.pairs)
     {
       const auto triangle = static_cast<std::size_t>(pair.triangles[0]);

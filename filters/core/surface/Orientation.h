@@ -56,8 +56,9 @@ void apply(const Orientation& orientation, Surface& surface);
 /// edges that two triangles share.
 struct Contradictions
 {
-  std::size_t oneSided = 0; ///< patches that no turning can make agree
-  std::size_t edges = 0;    ///< edges in other patches that two triangles use in the same sense
+  std::size_t oneSided = 0;          ///< patches that no turning can make agree
+  std::size_t oneSidedTriangles = 0; ///< of these patches
+  std::size_t edges = 0; ///< edges in other patches that two triangles use in the same sense
 };
 
 Contradictions contradictionsOf(const Surface& surface, const SurfaceEdges& edges);

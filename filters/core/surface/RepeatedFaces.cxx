@@ -3,6 +3,7 @@
 #include "surface/RepeatedFaces.h"
 
 #include "base/DisjointSets.h"
+#include "surface/ClosedComponents.h"
 #include "surface/FacesByCorners.h"
 #include "surface/OddCaps.h"
 #include "surface/Shells.h"
@@ -142,6 +143,86 @@ std::vector<Connected> connectedWith(const SurfaceEdges& edges, const RepeatedFa
   return result;
 }
 
+/// Returns which triangles to turn so that faces of pairs agree, where they are connected with no
+/// others: either face of a pair may have been kept.
+std::vector<char> turnedToAgree(
+  const SurfacePart& once, const SurfaceEdges& edges, const RepeatedFaces& faces)
+{
+  SensedSets sets(once.numbers.size());
+  for (const SurfaceEdges::Pair& pair : edges.pairs)
+  {
+    sets.unite(pair.triangles[0], pair.triangles[1], !pair.agrees);
+  }
+  std::vector<SensedSets::Place> places;
+  std::vector<char> hasOthers(once.numbers.size(), 0), isTurned; // by set, and by triangle
+  for (std::size_t i = 0; i < once.numbers.size(); ++i)
+  {
+    places.push_back(sets.find(static_cast<std::int32_t>(i)));
+    hasOthers[places[i].representative] |=
+      static_cast<char>(faces.kinds[once.numbers[i]] != FaceKind::facing);
+  }
+  for (const SensedSets::Place& place : places)
+  {
+    isTurned.push_back(place.isOpposite && !hasOthers[place.representative]);
+  }
+  return isTurned;
+}
+
+/// Keeps the pairs of closed sets inside of a solid, by the number of solids around that are not
+/// made of pairs.
+void keepFilledCavities(const Surface& surface, const RepeatedFaces& faces,
+  const PolygonParts& parts, std::vector<char>& isLeftOut, Executor& executor)
+{
+  const auto isOpposite = [&](std::size_t i)
+  {
+    return isLeftOut[i] && faces.kinds[i] == FaceKind::opposite;
+  };
+  bool areAny = false;
+  for (std::size_t i = 0; i < isLeftOut.size(); ++i)
+  {
+    areAny |= isOpposite(i);
+  }
+  if (!areAny || faces.single == 0)
+  {
+    return;
+  }
+  SurfacePart once(surface, isLeftOut, false);
+  const SurfaceEdges edges = edgesOf(once.chain, executor);
+  const std::vector<char> isTurned = turnedToAgree(once, edges, faces);
+  turn(once.chain, isTurned);
+  const Components components =
+    componentsOf(once.chain, edges.withTurned(isTurned), once.partsOf(parts));
+  std::vector<char> arePairs(components.size(), 1);
+  for (std::size_t i = 0; i < once.numbers.size(); ++i)
+  {
+    arePairs[components.ofTriangle[i]] &=
+      static_cast<char>(faces.kinds[once.numbers[i]] == FaceKind::facing);
+  }
+  std::vector<std::int32_t> around(components.size(), -1);
+  for (const ClosedComponent& closed : closedComponents(once.chain, components, executor))
+  {
+    around[closed.component] = closed.around;
+  }
+  std::vector<char> areKept(isLeftOut.size(), 0); // by group
+  for (std::size_t i = 0; i < once.numbers.size(); ++i)
+  {
+    const std::int32_t component = components.ofTriangle[i];
+    bool isFilled = false;
+    for (std::int32_t outer = around[component]; outer >= 0; outer = around[outer])
+    {
+      isFilled = isFilled != (arePairs[outer] == 0);
+    }
+    if (arePairs[component] && isFilled)
+    {
+      areKept[faces.groups[once.numbers[i]]] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < isLeftOut.size(); ++i)
+  {
+    isLeftOut[i] = isLeftOut[i] && !(isOpposite(i) && areKept[faces.groups[i]]);
+  }
+}
+
 } // namespace
 
 RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts)
@@ -234,6 +315,24 @@ std::vector<char> facesToLeaveOut(const Surface& surface, const SurfaceEdges& ed
       break;
     }
   }
+  keepFilledCavities(surface, faces, parts, isLeftOut, executor);
+  return isLeftOut;
+}
+
+std::vector<char> withWalls(std::vector<char> isLeftOut, const RepeatedFaces& faces)
+{
+  std::vector<char> hasOpposite(isLeftOut.size(), 0); // by group
+  for (std::size_t i = 0; i < isLeftOut.size(); ++i)
+  {
+    if (faces.kinds[i] == FaceKind::opposite && !isLeftOut[i])
+    {
+      hasOpposite[faces.groups[i]] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < isLeftOut.size(); ++i)
+  {
+    isLeftOut[i] |= static_cast<char>(faces.groups[i] >= 0 && hasOpposite[faces.groups[i]]);
+  }
   return isLeftOut;
 }
 
@@ -247,6 +346,30 @@ SurfacePart::SurfacePart(const Surface& surface, const std::vector<char>& isChos
     {
       chain.triangles.push_back(surface.triangles[i]);
       numbers.push_back(i);
+    }
+  }
+}
+
+PolygonParts SurfacePart::partsOf(const PolygonParts& parts) const
+{
+  PolygonParts result;
+  for (const std::size_t number : numbers)
+  {
+    if (!parts.empty())
+    {
+      result.push_back(parts[number]);
+    }
+  }
+  return result;
+}
+
+void turn(Surface& surface, const std::vector<char>& isTurned)
+{
+  for (std::size_t i = 0; i < isTurned.size(); ++i)
+  {
+    if (isTurned[i])
+    {
+      std::swap(surface.triangles[i][1], surface.triangles[i][2]);
     }
   }
 }

@@ -60,9 +60,14 @@ RepeatedFaces repeatedFaces(const Surface& surface, const PolygonParts& parts);
  * (OddCaps.h), or else without caps, which may lie on faces. Where they do not, pairs that are
  * connected with single faces stay, for they cancel, and so do all of these faces where all that
  * are connected cancel. Of all others one face stays.
+ *
+ * Closed sets of pairs inside of another solid stay, too: a solid fills a cavity there.
  */
 std::vector<char> facesToLeaveOut(const Surface& surface, const SurfaceEdges& edges,
   const RepeatedFaces& faces, const PolygonParts& parts, Executor& executor);
+
+/// Adds the pairs that stay, whose two faces cancel, to the triangles that are left out.
+std::vector<char> withWalls(std::vector<char> isLeftOut, const RepeatedFaces& faces);
 
 /// Some triangles of a surface, over all of its vertices.
 struct SurfacePart
@@ -70,9 +75,15 @@ struct SurfacePart
   /// Takes the triangles whose entry of `isChosen` is `choice`.
   SurfacePart(const Surface& surface, const std::vector<char>& isChosen, bool choice);
 
+  /// Returns which triangles are of one polygon. `parts` says so of the surface's triangles.
+  PolygonParts partsOf(const PolygonParts& parts) const;
+
   Surface chain;
   std::vector<std::size_t> numbers; ///< of the triangles in the surface
 };
+
+/// Turns triangles of a surface round. `isTurned` says by triangle which.
+void turn(Surface& surface, const std::vector<char>& isTurned);
 
 /// Removes triangles from a surface, and vertices that no others use. `isLeftOut` says by triangle
 /// which, and is empty for none.

@@ -3,11 +3,14 @@
 #include "surface/SolidParts.h"
 
 #include "source/CompareCoordinates.h"
+#include "source/SourceVolume.h"
 #include "surface/ClosedComponents.h"
 #include "surface/SurfaceEdges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace winding
 {
@@ -39,12 +42,21 @@ std::vector<std::int32_t> solidsOfComponents(
   return solids;
 }
 
+/// Rounds a volume to four digits, so that copies of a solid are equal wherever they are.
+double rounded(double volume)
+{
+  constexpr double steps = 8192;
+  int exponent;
+  const double mantissa = std::frexp(volume, &exponent);
+  return std::ldexp(std::round(steps * mantissa), exponent);
+}
+
 /// The measures that decide on the number of a solid.
 struct Rank
 {
   std::int32_t component = 0;
-  std::size_t triangles = 0;
-  std::int32_t lowest = -1; ///< vertex
+  double volume = 0;
+  std::int32_t lowest = -1; ///< vertex; -1 of a component without triangles of its own
 };
 
 } // namespace
@@ -56,10 +68,12 @@ SolidParts solidPartsOf(const Surface& surface, const PolygonParts& parts, Execu
 
   std::vector<Rank> ranks(components.size());
   const auto& vertices = surface.vertices;
+  std::vector<std::int32_t> solidOf;
+  solidOf.reserve(surface.triangles.size());
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)
   {
-    Rank& rank = ranks[solids[components.ofTriangle[i]]];
-    ++rank.triangles;
+    solidOf.push_back(solids[components.ofTriangle[i]]);
+    Rank& rank = ranks[solidOf.back()];
     for (const std::int32_t v : surface.triangles[i])
     {
       const bool isLower =
@@ -67,21 +81,22 @@ SolidParts solidPartsOf(const Surface& surface, const PolygonParts& parts, Execu
       rank.lowest = isLower ? v : rank.lowest;
     }
   }
+  const std::vector<double> volumes = volumesOf(surface, solidOf, components.size());
   for (std::size_t i = 0; i < ranks.size(); ++i)
   {
     ranks[i].component = static_cast<std::int32_t>(i);
+    ranks[i].volume = rounded(volumes[i]);
   }
   const auto isNone = [](const Rank& rank)
   {
-    return rank.triangles == 0;
+    return rank.lowest < 0;
   };
   ranks.erase(std::remove_if(ranks.begin(), ranks.end(), isNone), ranks.end());
   std::stable_sort(ranks.begin(), ranks.end(),
     [&vertices](const Rank& a, const Rank& b)
     {
-      return a.triangles != b.triangles
-               ? a.triangles > b.triangles
-               : compareCoordinates(vertices[a.lowest], vertices[b.lowest]) < 0;
+      return a.volume != b.volume ? a.volume > b.volume
+                                  : compareCoordinates(vertices[a.lowest], vertices[b.lowest]) < 0;
     });
 
   std::vector<std::int32_t> numbers(components.size(), -1);
@@ -91,10 +106,10 @@ SolidParts solidPartsOf(const Surface& surface, const PolygonParts& parts, Execu
   }
   SolidParts result;
   result.count = ranks.size();
-  result.ofTriangle.reserve(surface.triangles.size());
-  for (const std::int32_t component : components.ofTriangle)
+  result.ofTriangle = std::move(solidOf);
+  for (std::int32_t& solid : result.ofTriangle)
   {
-    result.ofTriangle.push_back(numbers[solids[component]]);
+    solid = numbers[solid];
   }
   return result;
 }

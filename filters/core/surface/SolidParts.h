@@ -17,9 +17,9 @@ namespace winding
  * oriented inward and lies in others, as the wall of a cavity does (ClosedComponents.h), taken
  * together with the innermost of these. Solids that touch are separate if they look outward.
  *
- * Solids are numbered by their triangles, most first, and by their lowest vertices where they have
- * as many: the numbers do not depend on the order of the triangles, except for solids that have
- * both in common.
+ * Solids are numbered by their volumes (SourceVolume.h), the largest first, and by their lowest
+ * vertices where four digits of these are equal. So the numbers do not depend on the order of the
+ * triangles, except for solids that have both in common.
  */
 struct SolidParts
 {

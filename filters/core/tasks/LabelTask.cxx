@@ -8,6 +8,7 @@
 #include "diagnosis/InsideOutAdvice.h"
 #include "report/InputUnits.h"
 #include "surface/OpenParts.h"
+#include "tasks/MendedSource.h"
 
 #include <algorithm>
 
@@ -46,14 +47,20 @@ double LabelTask::bytes(const LabelOptions& options, std::size_t samples)
   return SolidEvaluation::bytes(evaluationOptions(options, {}), samples);
 }
 
-void LabelTask::add(const Field& field, const FieldInfo& info, const LabeledSolid& solid, Run& run)
+void LabelTask::add(const Field& given, const FieldInfo& info, const LabeledSolid& solid, Run& run)
 {
   facts_.add(info, solid.name, solid.isOpenPart);
   const bool bySize = options_.overlapRule == OverlapRule::smallestVolume;
-  merge_.begin(solid.label, bySize ? sizeOf(field) : SolidSize(), solid.shares);
+  merge_.begin(solid.label, bySize ? sizeOf(given) : SolidSize(), solid.shares);
+  const bool mayThicken = options_.voxels.coverage != Coverage::any && !solid.isOpenPart;
+  Run noting = {
+    run.executor, [&](const Message& note) { facts_.addMend(note, solid.name); }, run.freeMemory};
+  MendedSource source(given, grid_, {options_.mendsSource, mayThicken, isInside_}, noting);
+  source.decideByLayers();
+  const Field& field = source.field();
   SideTally sides;
-  evaluation_.run(field, grid_, arrays_.extent, merge_, &sides, run.executor);
-  if (this->isWhole() && info.primitives > 0)
+  evaluation_.run(field, source.plate(), grid_, arrays_.extent, merge_, &sides, run.executor);
+  if (this->isWhole() && info.primitives > 0 && source.plate() == 0)
   {
     const double end = run.executor.share().second;
     run.executor.setShare(end, end);
@@ -84,7 +91,7 @@ void LabelTask::inspectResult(
     if (parts && parts->areWorthTelling())
     {
       facts_.lostInPart.add(solid.name);
-      if (parts->lostShare > facts_.largestLoss.lostShare)
+      if (facts_.lostInPart.count() == 1 || parts->lostShare > facts_.largestLoss.lostShare)
       {
         facts_.largestLoss = *parts;
       }
@@ -107,6 +114,12 @@ void LabelTask::warn(bool haveOneUnit, Run& run) const
   {
     run.warn({"no voxel has the labels of empty blocks", {{"leave them out", {}}},
       facts_.empty.outOf(count)});
+  }
+  for (const auto& [note, solids] : facts_.mends)
+  {
+    Message ofAll = note;
+    ofAll.facts += (ofAll.facts.empty() ? "" : "; ") + solids.outOf(count);
+    run.warn(ofAll);
   }
   const auto units = unitAdvice(facts_.bounds);
   if (units && !haveOneUnit)

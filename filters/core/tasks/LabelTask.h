@@ -18,6 +18,7 @@ struct LabelOptions
 {
   VoxelEvaluation voxels; ///< without the arrays that results go to
   OverlapRule overlapRule = OverlapRule::first;
+  bool mendsSource = false; ///< whether solids are mended (MendedSource.h)
 };
 
 /// A solid that gives a label.

@@ -30,14 +30,13 @@ Facing warnOfSides(
   return facing;
 }
 
-Facing warnOfResult(const Field& field, const Grid& grid, const ResultOnGrid& result,
-  const InsideTest& isInside, Run& run)
+void warnOfGrid(const Field& field, const Grid& grid, const ResultOnGrid& result,
+  const Facing& facing, const InsideTest& isInside, Run& run)
 {
-  const Facing facing = warnOfSides(field, result.sides, isInside, run);
-  if (field.info().primitives == 0 || result.withoutAdvice ||
-      field.diagnosis().hasNoSides(run.executor))
+  const Diagnosis& diagnosis = field.diagnosis();
+  if (field.info().primitives == 0 || result.withoutAdvice || diagnosis.hasNoSides(run.executor))
   {
-    return facing;
+    return;
   }
   GridResult found;
   found.isEmpty = result.isEmpty && !facing.isInsideOut;
@@ -46,12 +45,36 @@ Facing warnOfResult(const Field& field, const Grid& grid, const ResultOnGrid& re
   found.hasHighThreshold = isInside.hasHighThreshold();
   if (!facing.looksInward && !result.takesTouchedVoxels)
   {
-    found.parts = field.diagnosis().thinParts(grid, result.isInside, isInside, run.executor);
+    found.parts = diagnosis.thinParts(grid, result.isInside, isInside, run.executor);
+  }
+  // Volumes of several solids in one place add up, and a grid may cut a part off.
+  const bool hasVolume = result.volume > 0 && result.sides.several + result.sides.negative == 0 &&
+                         hasWhole(grid, field.info().bounds);
+  if (found.parts && hasVolume && diagnosis.volume(run.executor) > 0)
+  {
+    found.parts->sourceVolume = diagnosis.volume(run.executor);
+    found.parts->volumeRatio = result.volume / found.parts->sourceVolume;
+    if (result.pieces > 0 && (found.parts->isVolumeOff() || !found.parts->voxels.empty()))
+    {
+      found.parts->sourcePieces = diagnosis.pieces();
+      found.parts->pieces = found.parts->sourcePieces > 0 ? result.pieces : 0;
+    }
   }
   if (const auto advice = gridAdvice(grid, field.info().bounds, found))
   {
     run.warn(*advice);
   }
+  else if (result.crumbs > 0 && !facing.warning && !diagnosis.faultToTurn(run.executor))
+  {
+    run.warn(crumbsNote(result.crumbs, result.pieces));
+  }
+}
+
+Facing warnOfResult(const Field& field, const Grid& grid, const ResultOnGrid& result,
+  const InsideTest& isInside, Run& run)
+{
+  const Facing facing = warnOfSides(field, result.sides, isInside, run);
+  warnOfGrid(field, grid, result, facing, isInside, run);
   return facing;
 }
 

@@ -5,6 +5,8 @@
 #include "base/BooleanOperation.h"
 #include "base/InsideRule.h"
 #include "base/SolidShape.h"
+#include "diagnosis/ResultVolume.h"
+#include "diagnosis/ResultWalls.h"
 #include "field/Field.h"
 #include "level/EdgeRoots.h"
 #include "level/ShapedSolid.h"
@@ -12,7 +14,9 @@
 #include "tasks/Sink.h"
 #include "tasks/Task.h"
 
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace winding
@@ -41,6 +45,7 @@ struct SurfaceOptions
   SolidShape shape; ///< plain for a BooleanTask
   Features features = Features::smooth;
   bool areTriangles = false; ///< whether quads are cut
+  bool mendsSource = false;  ///< whether sources are mended (MendedSource.h), and the border closed
   bool closesBorder = false; ///< whether what is beyond the grid counts as outside
   bool hasNormals = true;
   bool hasImage = false; ///< whether the samples that are inside are a result, too
@@ -73,14 +78,19 @@ struct SurfaceResult
  * Makes the surface between the inside and the outside of a field, or of a shape of its solid, as
  * the executor's share of progress. The arrays are Output::points, offsets and corners, and where
  * they are wanted pointNormals of a smooth surface, polygonNormals of any other one, and inside.
+ * isClosed, parts, volume and inputVolume are single numbers.
  * Warns of sides, of what the grid loses, and of a surface that is open or empty. Throws
  * Interrupted, and OutOfMemory where the edges are too many.
  */
 SurfaceResult makeSurface(
   const Field& field, const Grid& grid, const SurfaceOptions& options, Sink& sink, Run& run);
 
+/// Returns what a surface encloses in words, by the single numbers of its task: "1 part, volume 0.5
+/// (input 0.51)". An `inputVolume` of NaN is left out.
+std::string solidInWords(bool isClosed, std::int64_t parts, double volume, double inputVolume);
+
 /// The surface of an operation on solids. It has the arrays of makeSurface(), and
-/// Output::operands. Functions throw as these for one solid do.
+/// Output::operands, without inputVolume. Functions throw as these for one solid do.
 class BooleanTask
 {
 public:
@@ -102,12 +112,25 @@ private:
   {
     std::unique_ptr<const LevelEdges> edges;
     EdgeRoots roots;
+    std::unique_ptr<const ShapedSolid> plate; ///< that an open sheet became; null for none
+
+    const LevelEdges& shown() const { return plate ? plate->edges() : *edges; }
+    const EdgeRoots& shownRoots() const { return plate ? plate->roots() : roots; }
   };
+
+  void keepPlate(
+    const Field& field, double plate, std::unique_ptr<const LevelEdges> edges, Run& run);
+  void keep(Operand operand);
+
+  bool mayBound(const Eigen::Vector3d& point) const;
 
   const Grid& grid_;
   BooleanOperation operation_;
   SurfaceOptions options_;
   std::vector<Operand> operands_;
+  ResultWalls walls_;
+  ResultVolume volume_;
+  bool isAnyLost_ = false; ///< whether the grid shows nothing of an operand
   double keptBytes_ = 0, keptEdges_ = 0;
 };
 

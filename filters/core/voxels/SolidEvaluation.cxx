@@ -71,7 +71,7 @@ Extent SolidEvaluation::extentOf(const Field& field, const Grid& grid, const Ext
   return near;
 }
 
-void SolidEvaluation::run(const Field& field, const Grid& grid, const Extent& extent,
+void SolidEvaluation::run(const Field& field, double plate, const Grid& grid, const Extent& extent,
   LabelMerge& merge, SideTally* sides, Executor& executor)
 {
   const Extent near = this->extentOf(field, grid, extent);
@@ -92,7 +92,8 @@ void SolidEvaluation::run(const Field& field, const Grid& grid, const Extent& ex
     part.extent[5] = std::min(near[5], k + layers - 1);
     const std::size_t samples = sampleCount(part.extent);
     VoxelEvaluation voxels = options_.voxels;
-    if (voxels.coverage != Coverage::center)
+    voxels.plate = plate;
+    if (voxels.coverage != Coverage::center || plate > 0)
     {
       refuseUnlessFree(static_cast<double>(voxels.additionalBytes(field, samples)),
         options_.freeMemory, "the coverage of " + std::to_string(samples) + " voxels",

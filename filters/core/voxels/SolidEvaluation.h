@@ -37,9 +37,9 @@ public:
   static double bytes(const SolidEvaluationOptions& options, std::size_t samples);
 
   /// Takes the executor's progress through its share, and adds up samples in `sides` if it is not
-  /// null. Throws Interrupted, and OutOfMemory.
-  void run(const Field& field, const Grid& grid, const Extent& extent, LabelMerge& merge,
-    SideTally* sides, Executor& executor);
+  /// null. A `plate` of more than 0 is VoxelEvaluation's. Throws Interrupted, and OutOfMemory.
+  void run(const Field& field, double plate, const Grid& grid, const Extent& extent,
+    LabelMerge& merge, SideTally* sides, Executor& executor);
 
 private:
   void reserve(std::size_t samples);

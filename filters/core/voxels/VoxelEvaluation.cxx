@@ -7,12 +7,18 @@
 #include "voxels/VoxelOverlap.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace winding
 {
 
 std::size_t VoxelEvaluation::additionalBytes(const Field& field, std::size_t voxels) const
 {
+  if (plate > 0)
+  {
+    return field.expectedBytesOfDistances(voxels) + sizeof(float) * voxels;
+  }
   switch (coverage)
   {
   case Coverage::any:
@@ -28,6 +34,11 @@ std::size_t VoxelEvaluation::additionalBytes(const Field& field, std::size_t vox
 void VoxelEvaluation::run(
   const Field& field, const Grid& grid, const Extent& extent, Executor& executor) const
 {
+  if (plate > 0)
+  {
+    this->evaluatePlate(field, grid, extent, executor);
+    return;
+  }
   Progress progress(executor);
   FieldOutput atCenters = output;
   atCenters.inside = coverage == Coverage::fraction ? nullptr : output.inside;
@@ -52,6 +63,32 @@ void VoxelEvaluation::run(
   {
     progress.set(end, 1);
     this->evaluateFractions(field, grid, extent, executor);
+  }
+}
+
+/// Finds the part of each voxel in a plate as if that were at right angles to an axis. Values and
+/// distances are the field's.
+void VoxelEvaluation::evaluatePlate(
+  const Field& field, const Grid& grid, const Extent& extent, Executor& executor) const
+{
+  FieldOutput ofField = output;
+  std::vector<float> distances(output.distances ? 0 : sampleCount(extent));
+  ofField.inside = nullptr;
+  ofField.distances = output.distances ? output.distances : distances.data();
+  field.evaluate(grid, extent, ofField, executor);
+  const double voxel = grid.spacing.maxCoeff();
+  for (std::size_t i = 0; i < sampleCount(extent); ++i)
+  {
+    const double depth = 0.5 * plate - std::abs(static_cast<double>(ofField.distances[i]));
+    const double share = std::clamp(depth / voxel + 0.5, 0.0, 1.0);
+    if (output.inside)
+    {
+      output.inside[i] = static_cast<unsigned char>(depth >= 0);
+    }
+    if (fractions)
+    {
+      fractions[i] = static_cast<float>(share);
+    }
   }
 }
 

@@ -24,6 +24,7 @@ struct VoxelEvaluation
   int samplesPerAxis = 4;          ///< for fractions; see CoverageFractions.h
   FieldOutput output;              ///< values at the centres, and inside for whole voxels
   float* fractions = nullptr;      ///< shares of the voxels; set for fractions only
+  double plate = 0;                ///< thickness of the plate that is inside; 0: the field decides
   std::uint64_t* united = nullptr; ///< bits of samples (SampleBits.h), for shares of several fields
 
   /// Returns the memory that is expected in addition to the field of `voxels` voxels.
@@ -33,6 +34,8 @@ struct VoxelEvaluation
   void run(const Field& field, const Grid& grid, const Extent& extent, Executor& executor) const;
 
 private:
+  void evaluatePlate(
+    const Field& field, const Grid& grid, const Extent& extent, Executor& executor) const;
   void evaluateFractions(
     const Field& field, const Grid& grid, const Extent& extent, Executor& executor) const;
 };

@@ -4,6 +4,7 @@
 
 #include "base/Refusal.h"
 #include "cloud/NormalEstimation.h"
+#include "cloud/OutwardNormals.h"
 
 #include "support/Places.h"
 #include "support/Samples.h"
@@ -22,7 +23,9 @@ using winding::Viewpoints;
 
 std::vector<Point> normalsToward(const std::string& text, const std::vector<Point>& positions)
 {
-  return winding::normalsToward(Viewpoints(text), placesOf(positions), 20, serial);
+  const winding::DistinctPoints places = placesOf(positions);
+  return winding::normalsToward(Viewpoints(text).directionsFrom(places, serial), places, 20, serial)
+    .normals;
 }
 
 /// Adds points on a rectangle from `corner` along two edges, with noise across.
@@ -108,10 +111,40 @@ TEST(Viewpoints, TheOrderOfPointsAndThreadsMakeNoDifference)
   const std::vector<Point> expected = normalsToward(path, cloud.positions);
   std::vector<Point> reversed(cloud.positions.rbegin(), cloud.positions.rend());
   ShuffledThreads threads(5);
-  std::vector<Point> normals =
-    winding::normalsToward(Viewpoints("-3 0 9; 3 0 9"), placesOf(reversed), 20, threads);
+  const winding::DistinctPoints places = placesOf(reversed);
+  const auto directions = Viewpoints("-3 0 9; 3 0 9").directionsFrom(places, threads);
+  std::vector<Point> normals = winding::normalsToward(directions, places, 20, threads).normals;
   std::reverse(normals.begin(), normals.end());
   EXPECT_EQ(normals, expected);
+}
+
+/// A wall that scanners see from both sides, as each point says: neighbours look opposite ways.
+TEST(Viewpoints, OfEachPointDecide)
+{
+  Random random(5);
+  Cloud cloud;
+  addRectangle(cloud, {0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, -1}, 2000, random);
+  const auto seenBy = [&cloud](const std::vector<Point>& scanners)
+  {
+    winding::PointCloud points;
+    points.positions = cloud.positions;
+    points.bounds = winding::Bounds(Point(0, 0, -0.01), Point(10, 10, 0.01));
+    for (std::size_t i = 0; i < points.positions.size(); ++i)
+    {
+      points.normals.push_back((scanners[i % scanners.size()] - points.positions[i]).normalized());
+    }
+    const winding::OutwardNormals found = winding::giveOutwardNormals(
+      points, winding::NormalEstimation::automatic, Viewpoints(), {}, serial);
+    EXPECT_EQ(found.estimation, winding::NormalEstimation::toward);
+    for (std::size_t i = 0; i < points.positions.size(); ++i)
+    {
+      EXPECT_GT(points.normals[i].dot(scanners[i % scanners.size()] - points.positions[i]), 0);
+    }
+    return found.opposed;
+  };
+  EXPECT_EQ(seenBy({{5, 5, 9}}), 0);
+  EXPECT_EQ(seenBy({{5, 5, -9}}), 0);
+  EXPECT_GT(seenBy({{5, 5, 9}, {5, 5, -9}}), 0.9);
 }
 
 TEST(Viewpoints, FewPointsHaveNormals)

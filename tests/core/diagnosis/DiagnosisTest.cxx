@@ -159,12 +159,15 @@ TEST(Diagnosis, FindsOpenPartsThatChangeWhatIsInside)
   const std::string fault =
     "open parts lie inside of closed ones; w changes around them, which are";
   const Mesh box = cube();
-  Mesh baffles = box;
+  Mesh baffles = box, piercing = box;
   for (const double z : {0.2, 0.35, 0.5, 0.65, 0.8})
   {
     baffles = baffles.with(sheet(z, 4));
+    piercing = piercing.with(sheet(z, 4).moved({0.15, 0, 0}));
   }
   EXPECT_EQ(faultsOf(baffles).rfind(fault, 0), 0u) << faultsOf(baffles);
+  EXPECT_EQ(faultsOf(piercing).find("open parts lie"), std::string::npos)
+    << "none is inside as a whole, so that none can be left out: " << faultsOf(piercing);
   EXPECT_EQ(faultsOf(box.with(sheet(0.5, 4))), "") << "w is more than 1/2 beside a single sheet";
   EXPECT_EQ(faultsOf(box.with(sheet(0.5, 4).moved({2, 0, 0}))), "") << "it lies outside";
 }

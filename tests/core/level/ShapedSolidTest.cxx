@@ -333,8 +333,8 @@ TEST(FilledCavities, AreWhatTheBorderDoesNotReach)
     for (const bool withBorder : {false, true})
     {
       const SolidOnGrid solid(mesh, grid, withBorder, serial);
-      const winding::FilledCavities found(solid.edges, solid.roots, grid, serial);
-      const winding::FilledCavities again(solid.edges, solid.roots, grid, shuffled);
+      const winding::FilledCavities found(solid.edges, solid.roots, grid, 0, nullptr, serial);
+      const winding::FilledCavities again(solid.edges, solid.roots, grid, 0, nullptr, shuffled);
       EXPECT_EQ(again.count, found.count);
       EXPECT_EQ(again.roots.fractions, found.roots.fractions);
       // Every outside sample gets the number of its region, by a search over neighbours.
@@ -373,14 +373,14 @@ TEST(FilledCavities, AreWhatTheBorderDoesNotReach)
         cavities += !isReached;
         for (const std::array<int, 3>& sample : region)
         {
-          ASSERT_EQ(found.edges.isSampleInside(sample), !isReached);
+          ASSERT_EQ(found.edges->isSampleInside(sample), !isReached);
         }
       }
       EXPECT_EQ(found.count, cavities);
       filled += cavities;
-      for (std::size_t n = 0; n < found.edges.size(); ++n)
+      for (std::size_t n = 0; n < found.edges->size(); ++n)
       {
-        const winding::GridEdge& edge = found.edges[n];
+        const winding::GridEdge& edge = (*found.edges)[n];
         const std::size_t before = solid.edges.find(edge.sample, edge.axis);
         ASSERT_LT(before, solid.edges.size());
         EXPECT_EQ(found.roots.fractions[n], solid.roots.fractions[before]);

@@ -114,7 +114,7 @@ struct SkinnedMesh
 };
 
 /// Returns a block of 2 x 2 x 2 unit hexahedra, with the nodes of some in an order that turns them
-/// inside out. Each has points of its own if `areApart`.
+/// inside out. They share no points if `areApart`.
 SkinnedMesh blockOf(bool areApart, std::mt19937& random)
 {
   SkinnedMesh mesh;

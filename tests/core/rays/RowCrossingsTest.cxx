@@ -206,7 +206,14 @@ TEST(RowCrossings, OfMeshesFinerThanTheGridAreThoseOnAFinerGrid)
   }
 }
 
-TEST(RowCrossings, OfVeryDeepGridsAreFoundSlabBySlabWithProgress)
+/// Very deep grids, along y or z.
+class RowCrossingsOfDeepGrids : public testing::TestWithParam<int>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Axes, RowCrossingsOfDeepGrids, testing::Values(1, 2));
+
+TEST_P(RowCrossingsOfDeepGrids, AreFoundSlabBySlabWithProgress)
 {
   /// Remembers the shares of all work that it was told.
   class Log final : public winding::Executor
@@ -227,12 +234,16 @@ TEST(RowCrossings, OfVeryDeepGridsAreFoundSlabBySlabWithProgress)
     winding::SerialExecutor serial_;
   };
 
-  // Forty of the faces reach through all layers, which is more than are listed at once.
-  constexpr int depth = 2500000;
+  // Forty of the faces reach through all layers or rows, which is more than are listed at once.
+  const int axis = this->GetParam();
+  constexpr int depth = 2500000, boxes = 10;
   Mesh mesh;
-  for (int n = 0; n < 5; ++n)
+  for (int n = 0; n < boxes; ++n)
   {
-    const Mesh box = cube({-1.0 + 0.01 * n, -1, 0.1}, {1.0 + 0.01 * n, 1, 0.9});
+    Point low(-1.0 + 0.01 * n, -1, -1), high(1.0 + 0.01 * n, 1, 1);
+    low[axis] = 0.1;
+    high[axis] = 0.9;
+    const Mesh box = cube(low, high);
     const auto first = static_cast<std::int32_t>(mesh.points.size());
     mesh.points.insert(mesh.points.end(), box.points.begin(), box.points.end());
     for (const auto& [a, b, c] : box.triangles)
@@ -241,19 +252,24 @@ TEST(RowCrossings, OfVeryDeepGridsAreFoundSlabBySlabWithProgress)
     }
   }
   const winding::Surface surface = clean(mesh);
-  const Grid grid = gridOf({0, 0, 0.5 / depth}, {1, 1, 1.0 / depth}, {1, 1, depth});
+  Point origin(0, 0, 0), spacing(1, 1, 1);
+  Eigen::Vector3i dimensions(1, 1, 1);
+  origin[axis] = 0.5 / depth;
+  spacing[axis] = 1.0 / depth;
+  dimensions[axis] = depth;
+  const Grid grid = gridOf(origin, spacing, dimensions);
   const winding::RowCrossings rows(surface.vertices, surface.triangles);
   Log log;
   std::vector<int> values(depth, -1);
   rows.evaluate(
-    grid, grid.wholeExtent(), 65536,
-    [&](int, int k, const std::vector<winding::RowRun>& runs)
-    { values[static_cast<std::size_t>(k)] = runs[0].value; },
+    grid, grid.wholeExtent(), 1,
+    [&](int j, int k, const std::vector<winding::RowRun>& runs)
+    { values[static_cast<std::size_t>(axis == 1 ? j : k)] = runs[0].value; },
     log);
   for (int k = 0; k < depth; ++k)
   {
-    const double z = grid.sample(0, 0, k)[2];
-    ASSERT_EQ(values[static_cast<std::size_t>(k)], z > 0.1 && z < 0.9 ? 5 : 0) << k;
+    const double place = origin[axis] + k * spacing[axis];
+    ASSERT_EQ(values[static_cast<std::size_t>(k)], place > 0.1 && place < 0.9 ? boxes : 0) << k;
   }
   EXPECT_GT(log.shares.size(), 2u);
   EXPECT_LT(log.largest, depth);
@@ -265,6 +281,30 @@ TEST(RowCrossings, OfVeryDeepGridsAreFoundSlabBySlabWithProgress)
   }
   EXPECT_EQ(end, 1);
   EXPECT_EQ(log.shares.back(), std::make_pair(0.5, 1.0)) << "the whole share, again";
+}
+
+TEST(RowCrossings, OfManyPlatesBetweenSamplesAreAddedUp)
+{
+  SCOPED_TRACE("seed 11");
+  Random random(11);
+  constexpr int plates = 1000, samples = 7;
+  Mesh mesh;
+  int expected[samples] = {};
+  for (int n = 0; n < plates; ++n)
+  {
+    const double low = random(-1, samples), high = low + random(0, 2);
+    mesh = mesh.with(cube({low, -1, -1}, {high, samples, 1}));
+    for (int i = 0; i < samples; ++i)
+    {
+      expected[i] += low < i && i < high ? 1 : 0;
+    }
+  }
+  const Grid grid = gridOf({0, 0, 0}, {1, 1, 1}, {samples, samples, 1});
+  const std::vector<int> values = valuesOn(mesh, grid);
+  for (std::size_t n = 0; n < values.size(); ++n)
+  {
+    EXPECT_EQ(values[n], expected[n % samples]) << n;
+  }
 }
 
 TEST(RowCrossings, OfOneSampleAreThoseOfItsRow)

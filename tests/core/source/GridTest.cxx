@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -70,6 +71,31 @@ TEST(SetUpGrid, PadsByAFractionOfTheLongestSideOnEachSide)
   EXPECT_EQ(grid.corner(), Point(0, 1, 2));
 }
 
+TEST(SetUpGrid, PadsByAVoxelAtLeast)
+{
+  GridRequest request = overSome();
+  request.padding = 0.05;
+  request.resolution = 10;
+  Grid grid = setUpGrid(request);
+  EXPECT_EQ(grid.dimensions, Eigen::Vector3i(10, 6, 4));
+  EXPECT_EQ(grid.spacing, Point(0.5, 0.5, 0.5));
+  EXPECT_EQ(grid.corner(), Point(0.5, 1.5, 2.5));
+  request.resolution = 22; // from here on the padding is a voxel or more
+  EXPECT_EQ(setUpGrid(request).spacing[0], (4 + 2 * (4 * 0.05)) / 22);
+  request.resolution = 2; // one around each side would leave none
+  EXPECT_EQ(setUpGrid(request).spacing[0], (4 + 2 * (4 * 0.05)) / 2);
+  request.voxelSize = 1;
+  grid = setUpGrid(request);
+  EXPECT_EQ(grid.dimensions, Eigen::Vector3i(6, 4, 3));
+  EXPECT_EQ(grid.corner(), Point(0, 1, 2));
+  request.dimensions = {4, 6, 40};
+  grid = setUpGrid(request);
+  EXPECT_EQ(grid.corner(), Point(-1, 1.5, 2.95));
+  EXPECT_EQ(grid.spacing.head<2>(), Point(2, 0.5, 0).head<2>());
+  request.isCubic = true;
+  EXPECT_EQ(setUpGrid(request).corner(), Point(-1, -3, -36.5));
+}
+
 TEST(SetUpGrid, TakesTheVoxelSizeInPlaceOfTheResolution)
 {
   GridRequest request = overSome();
@@ -91,7 +117,10 @@ TEST(SetUpGrid, ReachesOverTheBoundsByTheSameOnBothSidesAndLessThanAVoxelInAll)
     request.resolution = 1 + static_cast<int>(random(0, 100));
     request.padding = random(0, 1);
     const Grid grid = setUpGrid(request);
-    const Point margin = Point::Constant(request.padding * request.bounds.sizes().maxCoeff());
+    const double share = request.resolution > 2
+                           ? std::max(request.padding, 1. / (request.resolution - 2))
+                           : request.padding;
+    const Point margin = Point::Constant(share * request.bounds.sizes().maxCoeff());
     const Point before = request.bounds.min() - margin - grid.corner();
     const Point last =
       grid.sample(grid.dimensions[0] - 1, grid.dimensions[1] - 1, grid.dimensions[2] - 1);
@@ -262,7 +291,7 @@ TEST(Grid, HasItsWholeExtentFromZeroToOneLessThanItsDimensions)
 TEST(SetUpGrid, RefusesGridsWhoseLengthsLeaveTheRange)
 {
   GridRequest request = over({-1e101, -1, -1}, {1e101, 1, 1});
-  EXPECT_EQ(setUpGrid(request).dimensions, Eigen::Vector3i(64, 1, 1));
+  EXPECT_EQ(setUpGrid(request).dimensions, Eigen::Vector3i(128, 1, 1));
   request = over({-1.01e102, -1, -1}, {0, 1, 1});
   expectRefused(request, "reaches to -1.01e+102");
   request = over({0, -1, -1}, {1.7e308, 1, 1});
@@ -274,7 +303,7 @@ TEST(SetUpGrid, RefusesGridsWhoseLengthsLeaveTheRange)
   request.padding = 1e200;
   expectRefused(request, "reaches to -1e+200");
   request = over({0, 0, 0}, {1e-100, 1e-100, 1e-100});
-  EXPECT_EQ(setUpGrid(request).dimensions, Eigen::Vector3i(64, 64, 64));
+  EXPECT_EQ(setUpGrid(request).dimensions, Eigen::Vector3i(128, 128, 128));
   request = over({0, 0, 0}, {1, 1, 1e-110});
   request.dimensions = {2, 2, 2};
   expectRefused(request, "a side of 5e-111", Parameter::voxelSize);

@@ -751,9 +751,29 @@ TEST(FlatBase, TakesTheSameRimsInAllDirections)
   }
 }
 
+TEST(FlatBase, LiesBelowTheSurfaceByADistance)
+{
+  const Mesh square = {{{0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}}, {{0, 1, 2}, {0, 2, 3}}};
+  for (const char* text : {"down 0.5", " -z\t0.5 ", "direction 0 0 -2 0.5"})
+  {
+    SCOPED_TRACE(text);
+    const winding::FlatBase base(text);
+    winding::Surface surface = clean(square);
+    EXPECT_EQ(base.addTo(surface, serial).closed, 1u);
+    EXPECT_EQ(surface.bounds.min(), Eigen::Vector3d(0, 0, 0.5));
+    EXPECT_DOUBLE_EQ(volumeOf(surface), 2);
+    const Eigen::Matrix3d turned = Eigen::AngleAxisd(1, Eigen::Vector3d::UnitX()).matrix();
+    winding::Surface again =
+      clean(square.mapped([&](const Point& p) { return Point(turned * (p - Point(0, 0, 3))); }));
+    winding::FlatBase(base.along(turned, {0, 0, 3})).addTo(again, serial);
+    EXPECT_NEAR(volumeOf(again), 2, 1e-12);
+  }
+}
+
 TEST(FlatBase, RefusesOtherTexts)
 {
-  for (const char* wrong : {"below", "z", "z=0 y=0", "direction 0 0 0"})
+  for (const char* wrong :
+    {"below", "z", "z=0 y=0", "direction 0 0 0", "down -1", "down nan", "down 1 2", "0.5"})
   {
     EXPECT_THROW(winding::FlatBase{wrong}, winding::Refusal) << wrong;
   }
@@ -824,6 +844,53 @@ TEST(SheetSide, DividesInAllMethodsAndForms)
       }
     }
   }
+}
+
+/// Hills, with normals of either sense or none: below them w is near 1, and above them near 0.
+TEST(SheetSide, DividesByPoints)
+{
+  Cloud hills;
+  for (int i = 0; i < 60 * 60; ++i)
+  {
+    const double x = i % 60 / 30. - 1, y = i / 60 / 30. - 1;
+    hills.positions.emplace_back(x, y, 0.1 * std::sin(4 * x) * std::cos(4 * y));
+    hills.normals.emplace_back(-0.4 * std::cos(4 * x) * std::cos(4 * y),
+      0.4 * std::sin(4 * x) * std::sin(4 * y), i % 2 ? 1 : 1.01);
+  }
+  const std::vector<Point> samples = {{0, 0, -0.2}, {0.2, 0.1, 0.2}, {-0.2, 0.3, -0.15}};
+  FieldOptions options;
+  options.sheetSide = "down";
+  const auto sheet = fieldOf(hills, options);
+  EXPECT_EQ(sheet->info().added, 0.5);
+  EXPECT_TRUE(sheet->info().warnings.empty());
+  const std::vector<double> values = valuesAt(*sheet, samples);
+  EXPECT_NEAR(values[0], 0.95, 0.06);
+  EXPECT_NEAR(values[1], 0.05, 0.06);
+  EXPECT_NEAR(values[2], 0.95, 0.06);
+  EXPECT_NEAR(values[0], sheet->reference(samples[0]), 1e-3);
+  Cloud down = hills;
+  for (Point& normal : down.normals)
+  {
+    normal = -normal;
+  }
+  EXPECT_NEAR(valuesAt(*fieldOf(down, options), samples)[0], values[0], 1e-9);
+  Cloud bare = hills;
+  bare.normals.clear();
+  options.estimateNormals = true;
+  options.toward = "up";
+  const auto seen = fieldOf(bare, options);
+  EXPECT_TRUE(seen->info().warnings.empty());
+  EXPECT_GT(seen->info().orientation.outward, 0.85); // not at the rim
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    EXPECT_NEAR(valuesAt(*seen, samples)[i], values[i], 0.02);
+  }
+  const auto closed = fieldOf(sphereCloud(2000), options);
+  EXPECT_EQ(closed->info().added, 0);
+  EXPECT_EQ(closed->info().warnings.size(), 2u) << "no part is open, and normals are as given";
+  options.isOneOfSeveral = true;
+  EXPECT_TRUE(fieldOf(sphereCloud(2000), options)->info().warnings.empty());
+  EXPECT_EQ(fieldOf(sphereCloud(2000), options)->info().unused.size(), 2u);
 }
 
 TEST(SnappedPoints, MakeOneOfThoseThatAreNear)
@@ -929,6 +996,10 @@ TEST(Mirror, LeavesViewpointsToTheHalfThatWasSeen)
   {
     EXPECT_NEAR(value, 1, 0.1); // 0.98
   }
+  EXPECT_TRUE(field->info().warnings.empty());
+  EXPECT_TRUE(field->info().normalsAreEstimated);
+  EXPECT_EQ(field->info().normalEstimation, winding::NormalEstimation::toward);
+  EXPECT_GT(field->info().orientation.outward, 0.95);
 }
 
 TEST(FlatBase, SaysWhatItLeavesAndCuts)

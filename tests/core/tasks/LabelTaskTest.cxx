@@ -21,7 +21,7 @@ const winding::Grid grid = gridOf({-0.45, -0.45, -0.45}, Point::Constant(0.1), {
 struct Labeled
 {
   explicit Labeled(const std::vector<Mesh>& solids, OverlapRule overlapRule = OverlapRule::first,
-    const winding::Extent& extent = grid.wholeExtent())
+    const winding::Extent& extent = grid.wholeExtent(), bool mendsSource = false)
     : labels(winding::sampleCount(extent))
   {
     winding::Run run{
@@ -31,6 +31,7 @@ struct Labeled
     arrays.labels = labels.data();
     winding::LabelOptions options;
     options.overlapRule = overlapRule;
+    options.mendsSource = mendsSource;
     facts.expected = solids.size();
     winding::LabelTask task(grid, arrays, options, facts, run);
     for (const Mesh& solid : solids)
@@ -89,4 +90,25 @@ TEST(LabelTask, SaysNothingOfTheGridForAPieceOfIt)
   const Labeled found({box, box.moved({9, 9, 9})}, OverlapRule::first, {0, 19, 0, 19, 5, 6});
   EXPECT_EQ(found.warnings, Warnings());
   EXPECT_EQ(found.count(1), 200);
+}
+
+TEST(LabelTask, MendsSolidsThatBoundNothing)
+{
+  const Mesh box = cube({0, 0, 0}, {1, 1, 1}), other = cube({1.05, 0, 0}, {1.45, 1, 1});
+  const Mesh sheet = cube({0, 0, 0}, {1, 1, 1.32}).part(10, 12);
+  const std::vector<Mesh> solids = {box.reversed(), other.reversed(), sheet};
+  const Labeled found(solids, OverlapRule::first, grid.wholeExtent(), true);
+  EXPECT_EQ(found.count(1), 1000);
+  EXPECT_EQ(found.count(2), 400);
+  // Three layers of the sheet, and half of a disc of 1.5 voxels at its rim.
+  EXPECT_NEAR(static_cast<double>(found.count(3)), 440, 20);
+  EXPECT_EQ(
+    found.warnings, Warnings({"faces were turned", "open sheets became a plate of three voxels",
+                      "some solids have holes"}));
+  const winding::Extent piece = {0, 19, 0, 19, 3, 18};
+  const Labeled part(solids, OverlapRule::first, piece, true);
+  for (std::size_t n = 0; n < part.labels.size(); ++n)
+  {
+    ASSERT_EQ(part.labels[n], found.labels[n + 3 * 400]);
+  }
 }

@@ -7,6 +7,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -85,6 +86,13 @@ void ArraySink::addTo(vtkPolyData* surface) const
   if (vtkDataArray* const operands = this->array(Output::operands))
   {
     surface->GetCellData()->AddArray(operands);
+  }
+  for (const Output single : {Output::isClosed, Output::parts, Output::volume, Output::inputVolume})
+  {
+    if (vtkDataArray* const number = this->array(single))
+    {
+      surface->GetFieldData()->AddArray(number);
+    }
   }
 }
 

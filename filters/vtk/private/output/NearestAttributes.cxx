@@ -39,12 +39,18 @@ namespace
 /// The number of places that are held at once.
 constexpr std::size_t placesAtOnce = std::size_t{1} << 20;
 
+/// Whether an array is taken for colours.
+bool isOfColors(vtkAbstractArray* array)
+{
+  const int components = array->GetNumberOfComponents();
+  return array->GetDataType() == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
+}
+
 /// Whether an array has values in between: floats, and colours.
 bool isContinuous(vtkAbstractArray* array)
 {
-  const int components = array->GetNumberOfComponents();
   return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE ||
-         (array->GetDataType() == VTK_UNSIGNED_CHAR && (components == 3 || components == 4));
+         isOfColors(array);
 }
 
 /// Whether the items of an array may be written by several threads at once.
@@ -94,6 +100,16 @@ bool hasRoomForNames(vtkAbstractArray* array)
          (type == VTK_INT || type == VTK_LONG || type == VTK_LONG_LONG || type == VTK_ID_TYPE);
 }
 
+/// Returns the array that has the name of another, or colours by the name for three components or
+/// four; null if there is none.
+vtkAbstractArray* sameIn(vtkDataSetAttributes* attributes, vtkAbstractArray* array)
+{
+  const std::string name = array->GetName();
+  vtkAbstractArray* const same = attributes->GetAbstractArray(name.c_str());
+  const char* const other = name == "RGB" ? "RGBA" : name == "RGBA" ? "RGB" : nullptr;
+  return same || !other || !isOfColors(array) ? same : attributes->GetAbstractArray(other);
+}
+
 /// Appends a name to a list, each once.
 void addName(std::vector<std::string>& names, const std::string& name)
 {
@@ -132,7 +148,8 @@ struct NearestAttributes::Part
 
 struct NearestAttributes::Transfer
 {
-  std::vector<vtkAbstractArray*> ofParts;
+  vtkAbstractArray* model;                ///< the first of the parts'
+  std::vector<vtkAbstractArray*> ofParts; ///< null for parts without colours
   bool interpolates;
   int active; ///< type of the attribute that the array is in the source, or -1
   vtkSmartPointer<vtkStringArray> names; ///< of the numbers that the array has; may be null
@@ -162,7 +179,7 @@ bool NearestAttributes::Transfer::unite(const std::vector<vtkStringArray*>& ofEa
     return true;
   }
   const bool haveAll = std::find(ofEachPart.begin(), ofEachPart.end(), nullptr) == ofEachPart.end();
-  if (!haveAll || !hasRoomForNames(ofParts.front()))
+  if (!haveAll || !hasRoomForNames(model))
   {
     return false;
   }
@@ -188,7 +205,8 @@ bool NearestAttributes::Transfer::unite(const std::vector<vtkStringArray*>& ofEa
 void NearestAttributes::Transfer::write(vtkAbstractArray* to, vtkIdType n, std::size_t part,
   const vtkIdType* items, const std::array<double, 3>& weights, std::size_t count) const
 {
-  if (!interpolates || count == 1)
+  const bool areBytes = to->GetDataType() == VTK_UNSIGNED_CHAR;
+  if (!interpolates || (count == 1 && !areBytes))
   {
     std::size_t best = 0;
     for (std::size_t i = 1; i < count; ++i)
@@ -211,17 +229,18 @@ void NearestAttributes::Transfer::write(vtkAbstractArray* to, vtkIdType n, std::
   }
   auto* const from = static_cast<vtkDataArray*>(ofParts[part]);
   auto* const numbers = static_cast<vtkDataArray*>(to);
-  const bool areIntegers = numbers->GetDataType() == VTK_UNSIGNED_CHAR;
-  for (int component = 0; component < from->GetNumberOfComponents(); ++component)
+  const int known = from ? from->GetNumberOfComponents() : 0;
+  for (int component = 0; component < numbers->GetNumberOfComponents(); ++component)
   {
-    double sum = 0;
-    for (std::size_t i = 0; i < count; ++i)
+    constexpr double half = 0.5, most = 255;
+    double sum = component < known ? 0 : most; // colours are white and opaque unless they say more
+    for (std::size_t i = 0; i < count && component < known; ++i)
     {
       // A corner without weight may have no number.
-      sum += weights[i] > 0 ? weights[i] * from->GetComponent(items[i], component) : 0;
+      const double weight = count == 1 ? 1 : weights[i];
+      sum += weight > 0 ? weight * from->GetComponent(items[i], component) : 0;
     }
-    constexpr double half = 0.5, most = 255;
-    numbers->SetComponent(n, component, areIntegers ? std::min(std::floor(sum + half), most) : sum);
+    numbers->SetComponent(n, component, areBytes ? std::min(std::floor(sum + half), most) : sum);
   }
 }
 
@@ -315,20 +334,35 @@ void NearestAttributes::findArrays(bool ofPoints, std::vector<Transfer>& transfe
       {
         continue;
       }
-      Transfer transfer = {{}, isContinuous(array), attributes->IsArrayAnAttribute(i), {}, {}};
+      Transfer transfer = {
+        array, {}, isContinuous(array), attributes->IsArrayAnAttribute(i), {}, {}};
       std::vector<vtkStringArray*> namesOfParts;
+      bool areLike = true, haveAll = true;
       for (const Part& other : parts_)
       {
-        vtkAbstractArray* const same =
-          other.attributes(ofPoints)->GetAbstractArray(array->GetName());
-        const bool isLike = same && same->GetDataType() == array->GetDataType() &&
-                            same->GetNumberOfComponents() == array->GetNumberOfComponents();
-        transfer.ofParts.push_back(isLike ? same : nullptr);
+        vtkAbstractArray* const same = sameIn(other.attributes(ofPoints), array);
+        if (isOfColors(array))
+        {
+          areLike = areLike && (!same || isOfColors(same));
+          const bool hasMore =
+            same && same->GetNumberOfComponents() > transfer.model->GetNumberOfComponents();
+          transfer.model = hasMore ? same : transfer.model;
+          names.insert(same ? same->GetName() : array->GetName());
+        }
+        else
+        {
+          areLike = areLike && same && same->GetDataType() == array->GetDataType() &&
+                    same->GetNumberOfComponents() == array->GetNumberOfComponents();
+        }
+        haveAll = haveAll && same;
+        transfer.ofParts.push_back(same);
         namesOfParts.push_back(namesOf(other.data->GetFieldData(), array->GetName()));
       }
-      const auto& arrays = transfer.ofParts;
-      if (std::find(arrays.begin(), arrays.end(), nullptr) == arrays.end() &&
-          transfer.unite(namesOfParts))
+      if (areLike && !haveAll)
+      {
+        addName(filled_, transfer.model->GetName());
+      }
+      if (areLike && transfer.unite(namesOfParts))
       {
         transfers.push_back(std::move(transfer));
       }
@@ -348,14 +382,16 @@ bool NearestAttributes::isTaken(const std::string& name, vtkDataSetAttributes* t
            (name == "NearestCell" || (isComposite_ && name == "NearestBlock")));
 }
 
-/// Notes the arrays whose names the result has already. Normals are its own, as any surface's.
+/// Notes the arrays whose names the result has already, and whether there are others. Normals are
+/// its own, as any surface's.
 void NearestAttributes::noteTaken(bool ofPoints, vtkDataSetAttributes* to) const
 {
   vtkDataArray* const normals = to->GetNormals();
   const std::string own = normals && normals->GetName() ? normals->GetName() : "";
   for (const Transfer& transfer : ofPoints ? ofPoints_ : ofCells_)
   {
-    const std::string name = transfer.ofParts.front()->GetName();
+    const std::string name = transfer.model->GetName();
+    addsAny_ = addsAny_ || !this->isTaken(name, to);
     if (transfer.active != vtkDataSetAttributes::NORMALS && name != own && this->isTaken(name, to))
     {
       addName(taken_, name);
@@ -432,10 +468,9 @@ void NearestAttributes::add(bool ofPoints, std::size_t count, std::size_t atOnce
   std::vector<std::pair<const Transfer*, vtkSmartPointer<vtkAbstractArray>>> arrays;
   for (const Transfer& transfer : ofPoints ? ofPoints_ : ofCells_)
   {
-    vtkAbstractArray* const model = transfer.ofParts.front();
-    if (!this->isTaken(model->GetName(), to))
+    if (!this->isTaken(transfer.model->GetName(), to))
     {
-      arrays.emplace_back(&transfer, arrayLike(model, items));
+      arrays.emplace_back(&transfer, arrayLike(transfer.model, items));
     }
   }
   std::vector<InputPlace> places(std::min(count, atOnce));
@@ -577,25 +612,34 @@ void NearestAttributes::addTo(vtkPolyData* surface, Executor& executor) const
   }
 }
 
-std::optional<Message> NearestAttributes::note() const
+std::vector<Message> NearestAttributes::notes() const
 {
-  if (leftOut_.empty() && taken_.empty())
+  std::vector<Message> notes;
+  const auto are = [](const std::vector<std::string>& names)
   {
-    return std::nullopt;
-  }
-  if (leftOut_.empty())
+    return names.size() == 1 ? std::string("is") : std::string("are");
+  };
+  if (!leftOut_.empty())
   {
-    return Message("the result has arrays of the same names", {{"rename them in the input", {}}},
-      listOf(taken_) + (taken_.size() == 1 ? " is not taken over" : " are not taken over"));
+    const std::string own = taken_.empty() ? ""
+                                           : ", nor " + are(taken_) + " " + listOf(taken_) +
+                                               ", which the result has of its own";
+    notes.push_back(
+      messageOf(Sentence::otherArrays, {listOf(leftOut_) + " " + are(leftOut_), own}));
   }
-  std::string facts =
-    listOf(leftOut_) + (leftOut_.size() == 1 ? " is not taken over" : " are not taken over");
-  if (!taken_.empty())
+  else if (!taken_.empty())
   {
-    facts += (taken_.size() == 1 ? ", nor is " : ", nor are ") + listOf(taken_) +
-             ", which the result has of its own";
+    notes.push_back(messageOf(Sentence::arraysOfResult, {listOf(taken_) + " " + are(taken_)}));
   }
-  return Message("the inputs differ in their arrays", {{"give all the same arrays", {}}}, facts);
+  if (!filled_.empty())
+  {
+    notes.push_back(messageOf(Sentence::noColorsOfSome, {listOf(filled_) + " " + are(filled_)}));
+  }
+  if (options_.withAttributes && !parts_.empty() && !addsAny_ && notes.empty())
+  {
+    notes.push_back(messageOf(Sentence::noArrays));
+  }
+  return notes;
 }
 
 void refuseNearestOfMixed(vtkDataObject* source, const InputOptions& options)

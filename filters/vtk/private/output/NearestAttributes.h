@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,7 +53,8 @@ struct NearestOptions
  * Arrays that the result has already stay. An array that is active in the source, as colours and
  * texture coordinates are, becomes so in the result where it has none.
  *
- * Where a source has several data sets, arrays are taken over that all have in the same type.
+ * Where a source has several data sets, arrays are taken over that all have in the same type, and
+ * colours that some have: the others are white. Where some have an opacity, the others are opaque.
  * Numbers that name regions, as "GroupIds" and the texts "GroupNames" of the field data, are then
  * numbers in one list: the names of the first data set, and new ones of the next. Numbers without
  * a name are −1 there. Where all have the same names, or none, numbers stay what they are.
@@ -92,9 +92,9 @@ public:
   /// means of their corners, and names of regions to the field data.
   void addTo(vtkPolyData* surface, Executor& executor) const;
 
-  /// Returns what is to be known about arrays that are not taken over, once addTo() has tried;
-  /// nothing where all are.
-  std::optional<Message> note() const;
+  /// Returns what is to be known about arrays that are not taken over, or not from everywhere, once
+  /// addTo() has tried.
+  std::vector<Message> notes() const;
 
   /// Returns the expected memory for a source of `primitives` triangles or points, in bytes.
   static std::size_t bytesFor(bool isSurface, std::size_t primitives);
@@ -123,7 +123,9 @@ private:
   std::unique_ptr<InputPlaces> places_;
   std::vector<Transfer> ofPoints_, ofCells_;
   std::vector<std::string> leftOut_;
+  std::vector<std::string> filled_;        ///< colours that some parts lack
   mutable std::vector<std::string> taken_; ///< names that the result has; set by addTo()
+  mutable bool addsAny_ = false;           ///< whether addTo() takes arrays over
 };
 
 /// Throws a Refusal where a source has both surfaces and clouds, which are searched one by one.

@@ -88,6 +88,7 @@ void addTo(ContentHash& hash, const ResultOptions& options)
 }
 
 ResultArrays::ResultArrays(vtkIdType samples, const ResultOptions& options)
+  : showsInside_(options.withInside && options.showsInside)
 {
   if (!options.withValues && !options.withInside && !options.withDistances)
   {
@@ -161,6 +162,10 @@ void ResultArrays::addTo(vtkDataSetAttributes* attributes) const
       attributes->AddArray(array);
       attributes->SetActiveScalars(array->GetName());
     }
+  }
+  if (showsInside_)
+  {
+    attributes->SetActiveScalars(inside_->GetName());
   }
 }
 

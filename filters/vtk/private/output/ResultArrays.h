@@ -33,6 +33,7 @@ struct ResultOptions
 {
   bool withValues = true;     ///< an array of w
   bool withInside = false;    ///< an array of 1 inside and 0 outside
+  bool showsInside = false;   ///< whether that is active instead of w
   bool withDistances = false; ///< the array "SignedDistance"
   bool withCoverage = false;  ///< the array "Coverage", of floats
   bool withFraction = false;  ///< the array of cells named fractionName, which the filter makes
@@ -81,10 +82,11 @@ public:
   /// inside, values compared by the rule, distances below 0.
   bool isInside(std::size_t sample, const InsideTest& isInside) const;
 
-  /// Adds the arrays; the first of them becomes the active scalars.
+  /// Adds the arrays. The first becomes the active scalars, or what is inside where that shows.
   void addTo(vtkDataSetAttributes* attributes) const;
 
 private:
+  bool showsInside_;
   vtkSmartPointer<vtkDataArray> values_;
   vtkSmartPointer<vtkUnsignedCharArray> inside_;
   vtkSmartPointer<vtkFloatArray> coverage_;

@@ -38,6 +38,16 @@ public:
   {
   }
 
+  /// Adds advice in one line, and to the lines of advice.
+  void advice(const std::vector<Message>& messages)
+  {
+    this->text("advice", lineOf(messages));
+    for (const Message& message : messages)
+    {
+      lines.push_back(lineOf(message));
+    }
+  }
+
   void text(const char* name, const std::string& value) { this->add<vtkStringArray>(name, value); }
   void flag(const char* name, bool value) { this->add<vtkUnsignedCharArray>(name, value); }
   /// No value leaves the array without one.
@@ -68,6 +78,8 @@ public:
     }
     report_->AddArray(array);
   }
+
+  std::vector<std::string> lines; ///< of advice
 
 private:
   template <class Array, class Value> void add(const char* name, const Value& value)
@@ -141,7 +153,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> reportOnSurface(InputViews& source,
   const std::vector<Message> notes = notesOn(cells);
   advice.insert(advice.end(), completed.notes.begin(), completed.notes.end());
   advice.insert(advice.end(), notes.begin(), notes.end());
-  writer.text("advice", lineOf(advice));
+  writer.advice(advice);
   return faultBlocks(surface, found.edges, report.slits, shape, executor);
 }
 
@@ -170,9 +182,7 @@ void reportOnCloud(InputViews& source, Writer& writer, Executor& executor)
   writer.measure("outward_share", orientation(&CloudOrientation::outward));
   writer.measure("inward_share", orientation(&CloudOrientation::inward));
   writer.box("bbox", report.bounds);
-  const std::vector<Message> advice =
-    source.hasOnlyLines() ? std::vector<Message>{onlyLines()} : adviceOn(report);
-  writer.text("advice", lineOf(advice));
+  writer.advice(source.hasOnlyLines() ? std::vector<Message>{onlyLines()} : adviceOn(report));
 }
 
 } // namespace
@@ -192,6 +202,7 @@ SourceReport reportOn(InputViews& source, const FieldOptions& completion, const 
     reportOnCloud(source, writer, executor);
     report.faults = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   }
+  report.advice = std::move(writer.lines);
   return report;
 }
 

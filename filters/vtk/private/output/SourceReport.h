@@ -5,6 +5,9 @@
 #include "vtkSmartPointer.h"
 #include "vtkWindingABINamespace.h"
 
+#include <string>
+#include <vector>
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkFieldData;
 class vtkMultiBlockDataSet;
@@ -25,6 +28,7 @@ struct SourceReport
   /// The arrays of vtkWindingNumberReport, in the order in which people read them: counts are
   /// vtkIdType, yes or no is unsigned char, measures are double, words are strings.
   vtkSmartPointer<vtkFieldData> arrays;
+  std::vector<std::string> advice; ///< what spoils most first, a text for each point
   /// The faults of a surface, to look at (FaultBlocks.h); a cloud has none.
   vtkSmartPointer<vtkMultiBlockDataSet> faults;
 };

@@ -8,8 +8,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkImageData.h"
-#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedShortArray.h"
 
@@ -95,20 +93,6 @@ vtkIdType uniteResults(vtkDataSetAttributes* all, vtkDataSetAttributes* other,
     return countNumbers(values, [=](double value) { return isInside(value); });
   }
   return countNumbers(all->GetArray(distanceName), [](double distance) { return distance < 0; });
-}
-
-std::string legendOf(vtkImageData* labels)
-{
-  vtkFieldData* const facts = labels->GetFieldData();
-  vtkDataArray* const values = facts->GetArray("LabelValues");
-  auto* const names = vtkStringArray::SafeDownCast(facts->GetAbstractArray("LabelNames"));
-  std::string legend;
-  for (vtkIdType i = 0; values && names && i < values->GetNumberOfTuples(); ++i)
-  {
-    legend +=
-      std::to_string(std::lround(values->GetComponent(i, 0))) + "\t" + names->GetValue(i) + "\n";
-  }
-  return legend;
 }
 
 void uniteLabels(vtkDataSetAttributes* all, vtkDataSetAttributes* other)

@@ -11,7 +11,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSetAttributes;
-class vtkImageData;
 VTK_ABI_NAMESPACE_END
 
 /**
@@ -32,8 +31,5 @@ vtkIdType uniteResults(vtkDataSetAttributes* all, vtkDataSetAttributes* other,
 /// Counts and shares of labels are the largest; the two largest shares are from one time, which has
 /// the largest first share.
 void uniteLabels(vtkDataSetAttributes* all, vtkDataSetAttributes* other);
-
-/// Returns a line for each label of an image of labels, with its number and its name.
-std::string legendOf(vtkImageData* labels);
 
 } // namespace winding

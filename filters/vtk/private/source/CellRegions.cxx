@@ -15,6 +15,7 @@
 #include "vtkPointSet.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,16 +50,20 @@ vtkAbstractArray* regionsOf(vtkPointSet* data, const std::string& name)
   return regions;
 }
 
-/// The region of a cell. Throws Refusal for what is no integer.
-int regionOf(vtkDataArray* regions, vtkIdType cell)
+/// The region of a cell. Throws Refusal for what is no integer, or too large for one.
+vtkIdType regionOf(vtkDataArray* regions, vtkIdType cell)
 {
+  constexpr double mostOfReal = 9007199254740992.0, most = 9223372036854775808.0; // 2⁵³ and 2⁶³
   const double value = regions->GetComponent(cell, 0);
-  if (!(std::abs(value) < 1e9) || value != std::floor(value))
+  const bool isReal = regions->GetDataType() == VTK_FLOAT || regions->GetDataType() == VTK_DOUBLE;
+  const bool isWhole = value == std::floor(value) && std::isfinite(value);
+  if (!isWhole || !(std::abs(value) < (isReal ? mostOfReal : most)))
   {
-    throw Refusal(messageOf(
-      Sentence::regionIsNoInteger, {regions->GetName(), joined(value), std::to_string(cell)}));
+    throw Refusal(messageOf(isWhole ? Sentence::regionIsTooLarge : Sentence::regionIsNoInteger,
+      {regions->GetName(), joined(value), std::to_string(cell)}));
   }
-  return static_cast<int>(value);
+  return isReal ? static_cast<vtkIdType>(value)
+                : static_cast<vtkIdType>(regions->GetVariantValue(cell).ToLongLong());
 }
 
 /// The names of an array of regions "…Ids"; null if there are none.
@@ -98,7 +103,7 @@ vtkSmartPointer<vtkStringArray> namesOfLabels(vtkFieldData* fields)
   return byLabel;
 }
 
-std::string nameOf(int value, const std::string& array, vtkStringArray* names)
+std::string nameOf(vtkIdType value, const std::string& array, vtkStringArray* names)
 {
   const std::string name =
     names && value >= 0 && value < names->GetNumberOfValues() ? names->GetValue(value) : "";
@@ -155,8 +160,8 @@ void CellRegions::findTexts(vtkStringArray* texts, vtkIdType first, vtkIdType la
 void CellRegions::findIntegers(vtkDataArray* integers, vtkIdType first, vtkIdType last,
   const std::string& array, vtkFieldData* fields, Ranks& ranks)
 {
-  std::map<int, std::vector<vtkIdType>> cells;
-  std::vector<int> own;
+  std::map<vtkIdType, std::vector<vtkIdType>> cells;
+  std::vector<vtkIdType> own;
   std::vector<std::string> names;
   const vtkSmartPointer<vtkStringArray> ofLabels = namesOfLabels(fields);
   vtkStringArray* const ofIds = namesOfIds(fields, array);
@@ -173,9 +178,9 @@ void CellRegions::findIntegers(vtkDataArray* integers, vtkIdType first, vtkIdTyp
         names.push_back(nameOf(region, array, ofIds ? ofIds : ofLabels.Get()));
       }
     });
-  const std::vector<int> ofAll = ranks.gather(own, false).numbers;
+  const std::vector<vtkIdType> ofAll = ranks.gather(own, false).numbers;
   const std::vector<std::string> namesOfAll = gatherTexts(names, ranks);
-  std::map<int, std::string> regions;
+  std::map<vtkIdType, std::string> regions;
   for (std::size_t i = 0; i < ofAll.size(); ++i)
   {
     regions.emplace(ofAll[i], namesOfAll[i]);
@@ -200,8 +205,8 @@ std::optional<NamedParts> namesOfParts(vtkPointSet* surface, vtkFieldData* field
     {
       continue;
     }
-    std::vector<int> ofPart;
-    std::set<int> regions;
+    std::vector<vtkIdType> ofPart;
+    std::set<vtkIdType> regions;
     bool isDivided = false;
     for (const std::vector<vtkIdType>& cells : parts)
     {
@@ -224,8 +229,8 @@ std::optional<NamedParts> namesOfParts(vtkPointSet* surface, vtkFieldData* field
     if (kind == "Material" && regions.size() < parts.size())
     {
       // Bodies of one material are still bodies of their own, and get numbers from the second on.
-      std::map<int, int> counts;
-      for (const int region : ofPart)
+      std::map<vtkIdType, int> counts;
+      for (const vtkIdType region : ofPart)
       {
         const int count = ++counts[region];
         result.ofPart.push_back(result.names.size());
@@ -234,11 +239,11 @@ std::optional<NamedParts> namesOfParts(vtkPointSet* surface, vtkFieldData* field
       }
       return result;
     }
-    for (const int region : regions)
+    for (const vtkIdType region : regions)
     {
       result.names.push_back(nameOf(region, kind, names));
     }
-    for (const int region : ofPart)
+    for (const vtkIdType region : ofPart)
     {
       result.ofPart.push_back(
         static_cast<std::size_t>(std::distance(regions.begin(), regions.find(region))));

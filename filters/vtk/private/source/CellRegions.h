@@ -39,7 +39,7 @@ public:
   std::size_t size() const { return names_.size(); }
 
   /// Returns the values of the regions; nothing for texts.
-  const std::vector<int>& values() const { return values_; }
+  const std::vector<vtkIdType>& values() const { return values_; }
 
   /// The names of the regions: texts, or the array and the value.
   const std::vector<std::string>& names() const { return names_; }
@@ -52,7 +52,7 @@ private:
   void findIntegers(vtkDataArray* integers, vtkIdType first, vtkIdType last,
     const std::string& array, vtkFieldData* fields, Ranks& ranks);
 
-  std::vector<int> values_;
+  std::vector<vtkIdType> values_;
   std::vector<std::string> names_;
   std::vector<std::vector<vtkIdType>> cells_;
 };

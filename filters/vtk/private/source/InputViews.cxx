@@ -5,6 +5,7 @@
 #include "base/Executor.h"
 #include "base/Refusal.h"
 #include "cloud/OutwardNormals.h"
+#include "private/source/ArrayViews.h"
 #include "private/source/CellChecks.h"
 #include "private/source/ContentHash.h"
 #include "private/source/ModifiedTime.h"
@@ -14,12 +15,10 @@
 #include "source/SnappedPoints.h"
 #include "tasks/Sentences.h"
 
-#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDoubleArray.h"
 #include "vtkLongLongArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -150,6 +149,7 @@ std::uint64_t InputViews::fingerprint() const
     {
       hash.addArray(normalsOf(leaf, options_.normalsArray));
       hash.addArray(this->areasOf(leaf));
+      hash.addArray(this->viewpointsOf(leaf));
     }
   }
   return hash.value();
@@ -183,32 +183,35 @@ vtkDataArray* InputViews::areasOf(vtkPointSet* leaf) const
   return pointArray(leaf, options_.areaArray, 1);
 }
 
-template <class View> View InputViews::viewOf(vtkDataArray* array)
+/// Returns the places that points without normals were seen from, if these are to be estimated.
+vtkDataArray* InputViews::viewpointsOf(vtkPointSet* leaf) const
 {
-  const auto count = static_cast<std::size_t>(array->GetNumberOfTuples());
-  if (auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(array))
+  vtkDataArray* const array = leaf->GetPointData()->GetArray("Viewpoints");
+  const bool isRight = array && array->GetNumberOfComponents() == 3 &&
+                       array->GetNumberOfTuples() == leaf->GetNumberOfPoints();
+  return isRight && options_.estimateNormals && !hasFaces(leaf) ? array : nullptr;
+}
+
+VectorsView InputViews::directionsTo(vtkDataArray* viewpoints, const VectorsView& points)
+{
+  const VectorsView seenFrom = this->vectorsOf(viewpoints);
+  std::vector<double>& directions = directions_.emplace_back();
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    return View(floats->GetPointer(0), count);
+    const Eigen::Vector3d direction = seenFrom[i] - points[i];
+    directions.insert(directions.end(), direction.data(), direction.data() + 3);
   }
-  auto* doubles = vtkAOSDataArrayTemplate<double>::FastDownCast(array);
-  if (!doubles)
-  {
-    auto copy = vtkSmartPointer<vtkDoubleArray>::New();
-    copy->DeepCopy(array);
-    doubles = copy;
-    copies_.emplace_back(copy);
-  }
-  return View(doubles->GetPointer(0), count);
+  return {directions.data(), points.size()};
 }
 
 VectorsView InputViews::vectorsOf(vtkDataArray* array)
 {
-  return this->viewOf<VectorsView>(array);
+  return viewOf<VectorsView>(array, copies_);
 }
 
 ScalarsView InputViews::scalarsOf(vtkDataArray* array)
 {
-  return this->viewOf<ScalarsView>(array);
+  return viewOf<ScalarsView>(array, copies_);
 }
 
 TrianglesView InputViews::trianglesOf(const VectorsView& points, vtkCellArray* polygons)
@@ -444,6 +447,9 @@ std::vector<OrientedPointsView> InputViews::findOrientedPoints()
   {
     throw Refusal(missingNormals());
   }
+  lookAtViewpoints_ =
+    withoutNormals && std::all_of(leaves_.begin(), leaves_.end(),
+                        [this](vtkPointSet* leaf) { return this->viewpointsOf(leaf) != nullptr; });
   std::vector<OrientedPointsView> views;
   pointSets_.clear();
   blocksOfPoints_.clear();
@@ -476,6 +482,10 @@ std::vector<OrientedPointsView> InputViews::findOrientedPoints()
     if (!withoutNormals)
     {
       view.normals = ownNormals ? this->vectorsOf(ownNormals) : vertices->normals();
+    }
+    else if (lookAtViewpoints_)
+    {
+      view.normals = this->directionsTo(this->viewpointsOf(leaf), view.positions);
     }
     if (vtkDataArray* areas = this->areasOf(leaf))
     {

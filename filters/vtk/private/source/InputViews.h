@@ -140,6 +140,10 @@ public:
   /// The name of the array of these numbers.
   static const char* nameOfNumbers();
 
+  /// Returns whether normals of orientedPoints() only look to where each point was seen from, as an
+  /// array "Viewpoints" says of points whose normals are to be estimated.
+  bool lookAtViewpoints() const { return lookAtViewpoints_; }
+
   /// All points of the source, those without triangles too.
   std::vector<VectorsView> points();
 
@@ -160,9 +164,10 @@ private:
 
   void addLeaf(vtkDataObject* leaf, const std::string& name, unsigned block);
   vtkDataArray* areasOf(vtkPointSet* leaf) const;
+  vtkDataArray* viewpointsOf(vtkPointSet* leaf) const;
+  VectorsView directionsTo(vtkDataArray* viewpoints, const VectorsView& points);
   VectorsView vectorsOf(vtkDataArray* array);
   ScalarsView scalarsOf(vtkDataArray* array);
-  template <class View> View viewOf(vtkDataArray* array);
   TrianglesView trianglesOf(const VectorsView& points, vtkCellArray* polygons);
   const std::vector<TrianglesView>& ownTriangles();
   std::vector<VectorsView> welded(const std::vector<VectorsView>& points);
@@ -176,6 +181,7 @@ private:
   InputOptions options_;
   Executor* executor_;
   bool isSurface_ = false;
+  bool lookAtViewpoints_ = false;
   bool keepsNumbers_;
   /// Data sets of lines alone. They are clouds only where nothing has faces.
   std::vector<Leaf> ofLines_;
@@ -196,6 +202,7 @@ private:
 
   // Views point into these where VTK's own memory would not do.
   std::deque<std::vector<std::vector<double>>> welded_; ///< points, moved by the weld tolerance
+  std::deque<std::vector<double>> directions_;          ///< to viewpoints
   std::vector<vtkSmartPointer<vtkDataArray>> copies_;
   std::map<vtkPointSet*, vtkSmartPointer<vtkPolyData>> skins_;
   std::vector<FlatTriangles> flat_;

@@ -5,6 +5,7 @@
 #include "base/Executor.h"
 #include "mesh/CellTypes.h"
 #include "mesh/MeshSkin.h"
+#include "private/source/ArrayViews.h"
 #include "private/source/CellChecks.h"
 #include "source/SnappedPoints.h"
 
@@ -39,16 +40,17 @@ namespace
 
 constexpr char ownersName[] = "winding number owners";
 
-/// Returns the types of cells; none for polydata, which has no cells with volume.
+/// Returns the types of the cells of an unstructured grid. Other meshes have cells of one dimension
+/// with straight edges, and no types here.
 std::vector<std::uint8_t> typesOf(vtkPointSet* mesh)
 {
   std::vector<std::uint8_t> types;
-  if (!vtkPolyData::SafeDownCast(mesh))
+  if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(mesh))
   {
-    types.resize(static_cast<std::size_t>(mesh->GetNumberOfCells()));
+    types.resize(static_cast<std::size_t>(grid->GetNumberOfCells()));
     for (std::size_t cell = 0; cell < types.size(); ++cell)
     {
-      types[cell] = static_cast<std::uint8_t>(mesh->GetCellType(static_cast<vtkIdType>(cell)));
+      types[cell] = static_cast<std::uint8_t>(grid->GetCellType(static_cast<vtkIdType>(cell)));
     }
   }
   return types;
@@ -87,6 +89,68 @@ vtkSmartPointer<vtkPointSet> movedBy(const Eigen::Vector3d& way, vtkPointSet* me
   return moved;
 }
 
+/// A mesh whose cells and points have numbers (withNumbers()).
+struct NumberedMesh
+{
+  explicit NumberedMesh(vtkPointSet* mesh)
+    : cells(withNumbers(withoutExplicitStructure(mesh), ownersName))
+  {
+    const std::vector<std::uint8_t> types = typesOf(cells);
+    isCurved = std::any_of(types.begin(), types.end(), winding::isCurved);
+    hasBezierCells =
+      std::any_of(types.begin(), types.end(), [](int type) { return type >= firstBezierType; });
+    if (isCurved)
+    {
+      cells->GetCenter(middle.data());
+      fromMiddle = movedBy(-middle, cells);
+    }
+  }
+
+  vtkSmartPointer<vtkPointSet> cells;
+  bool isCurved, hasBezierCells;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  vtkSmartPointer<vtkPointSet> fromMiddle; ///< the mesh with its middle at the origin, if curved
+};
+
+/// The cells of a mesh that own polygons of a skin; others are empty.
+struct OwnersView : MeshView
+{
+  OwnersView(vtkPointSet* mesh, const SkinView& skin)
+    : ownTypes(static_cast<std::size_t>(mesh->GetNumberOfCells()), VTK_EMPTY_CELL)
+  {
+    for (std::size_t polygon = 0; polygon < skin.polygons(); ++polygon)
+    {
+      const vtkIdType owner = skin.owners[polygon];
+      ownTypes[static_cast<std::size_t>(owner)] =
+        static_cast<std::uint8_t>(mesh->GetCellType(owner));
+    }
+    auto* const grid = vtkUnstructuredGrid::SafeDownCast(mesh);
+    vtkNew<vtkIdList> own;
+    begins.push_back(0);
+    for (std::size_t cell = 0; cell < ownTypes.size(); ++cell)
+    {
+      if (ownTypes[cell] == polyhedronType)
+      {
+        appendFaces(grid, static_cast<vtkIdType>(cell), ids);
+      }
+      else if (ownTypes[cell] != VTK_EMPTY_CELL)
+      {
+        mesh->GetCellPoints(static_cast<vtkIdType>(cell), own);
+        ids.insert(ids.end(), own->begin(), own->end());
+      }
+      begins.push_back(static_cast<std::int64_t>(ids.size()));
+    }
+    points = viewOf<VectorsView>(mesh->GetPoints()->GetData(), copies);
+    types = ownTypes.data();
+    corners = {ids.data(), ids.size()};
+    offsets = {begins.data(), begins.size()};
+  }
+
+  std::vector<std::uint8_t> ownTypes;
+  std::vector<std::int64_t> ids, begins;
+  std::vector<vtkSmartPointer<vtkDataArray>> copies; ///< of points that no view can show
+};
+
 /// The polygons of a mesh's surface as VTK extracts it, and the view of them.
 class Skin
 {
@@ -95,16 +159,10 @@ public:
   /// rounds points on curved faces to float, so that it is given coordinates from the middle, and
   /// points that differ by that rounding are made one. Halved once, points are nodes of the mesh,
   /// except in Bézier cells, whose nodes are off their faces.
-  Skin(vtkPointSet* mesh, int halvings, bool hasBezierCells)
+  Skin(const NumberedMesh& mesh, int halvings)
   {
-    const bool areNodes = halvings == 1 && !hasBezierCells;
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    if (halvings > 0)
-    {
-      mesh->GetCenter(middle.data());
-    }
     vtkNew<vtkDataSetSurfaceFilter> filter;
-    filter->SetInputData(halvings > 0 ? movedBy(-middle, mesh).Get() : mesh);
+    filter->SetInputData(halvings > 0 ? mesh.fromMiddle : mesh.cells);
     filter->SetNonlinearSubdivisionLevel(halvings);
     filter->Update();
     surface_ = filter->GetOutput();
@@ -117,34 +175,11 @@ public:
     {
       return;
     }
-    coordinates_.resize(3 * static_cast<std::size_t>(points));
-    for (vtkIdType point = 0; point < points; ++point)
-    {
-      Eigen::Map<Eigen::Vector3d> place(&coordinates_[3 * static_cast<std::size_t>(point)]);
-      surface_->GetPoint(point, place.data());
-      place += middle;
-      if (areNodes)
-      {
-        mesh->GetPoint(static_cast<vtkIdType>(origins->GetValue(point)), place.data());
-      }
-    }
-    if (halvings > 0 && !areNodes)
-    {
-      constexpr double rounding = 4e-7; // of floats, with some operations
-      SerialExecutor serial;
-      const VectorsView rounded(coordinates_.data(), static_cast<std::size_t>(points));
-      coordinates_ = snappedPoints({rounded}, rounding * mesh->GetLength(), serial).front();
-    }
+    origins_.assign(origins->GetPointer(0), origins->GetPointer(0) + points);
+    areRounded_ = halvings > 1 || (halvings == 1 && mesh.hasBezierCells);
     if (halvings > 0)
     {
-      vtkNew<vtkPoints> places;
-      places->SetDataTypeToDouble();
-      places->SetNumberOfPoints(points);
-      for (vtkIdType point = 0; point < points; ++point)
-      {
-        places->SetPoint(point, &coordinates_[3 * static_cast<std::size_t>(point)]);
-      }
-      surface_->SetPoints(places);
+      this->setPlaces(this->placesIn(mesh));
     }
     offsets_.push_back(0);
     for (vtkIdType polygon = 0; polygon < polygons; ++polygon)
@@ -157,22 +192,31 @@ public:
     }
     owners_.assign(
       owners->GetPointer(this->before()), owners->GetPointer(this->before()) + polygons);
-    view_.points = {coordinates_.data(), static_cast<std::size_t>(points)};
+    view_.points = this->points();
     view_.corners = {corners_.data(), corners_.size()};
     view_.offsets = {offsets_.data(), offsets_.size()};
     view_.owners = {owners_.data(), owners_.size()};
-    origins_.assign(origins->GetPointer(0), origins->GetPointer(0) + points);
     view_.origins = {origins_.data(), origins_.size()};
   }
 
   const SkinView& view() const { return view_; }
 
   /// Returns the surface with the polygons that bound the mesh, and the other cells as they are.
-  vtkSmartPointer<vtkPolyData> with(const OutwardPolygons& outward)
+  vtkSmartPointer<vtkPolyData> lookingOutward(const NumberedMesh& mesh, CellCounts& counts)
   {
+    if (areRounded_)
+    {
+      constexpr double rounding = 4e-7; // of floats, with some operations
+      SerialExecutor serial;
+      this->setPlaces(
+        snappedPoints({view_.points}, rounding * mesh.cells->GetLength(), serial).front());
+      view_.points = this->points();
+    }
+    const std::size_t turned = counts.turned;
+    const OutwardPolygons outward = outwardPolygons(OwnersView(mesh.cells, view_), view_, counts);
     surface_->GetPointData()->RemoveArray(ownersName);
     surface_->GetCellData()->RemoveArray(ownersName);
-    if (view_.owners.empty())
+    if (outward.polygons.size() == owners_.size() && counts.turned == turned)
     {
       return surface_;
     }
@@ -220,51 +264,43 @@ public:
 private:
   vtkIdType before() const { return surface_->GetNumberOfVerts() + surface_->GetNumberOfLines(); }
 
-  vtkSmartPointer<vtkPolyData> surface_;
-  std::vector<double> coordinates_;
-  std::vector<std::int64_t> corners_, offsets_, owners_, origins_;
-  SkinView view_;
-};
+  VectorsView points() { return viewOf<VectorsView>(surface_->GetPoints()->GetData(), copies_); }
 
-/// The cells of a mesh that own polygons of a skin; others are empty.
-struct OwnersView : MeshView
-{
-  OwnersView(vtkPointSet* mesh, const SkinView& skin, const std::vector<std::uint8_t>& allTypes)
+  /// Returns the places in space of the points of a skin that was extracted from the middle.
+  std::vector<double> placesIn(const NumberedMesh& mesh) const
   {
-    std::vector<char> isOwner(allTypes.size(), 0);
-    for (std::size_t polygon = 0; polygon < skin.polygons(); ++polygon)
+    std::vector<double> places(3 * origins_.size());
+    for (std::size_t point = 0; point < origins_.size(); ++point)
     {
-      isOwner[static_cast<std::size_t>(skin.owners[polygon])] = 1;
-    }
-    coordinates.resize(3 * static_cast<std::size_t>(mesh->GetNumberOfPoints()));
-    for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
-    {
-      mesh->GetPoint(point, &coordinates[3 * static_cast<std::size_t>(point)]);
-    }
-    auto* const grid = vtkUnstructuredGrid::SafeDownCast(mesh);
-    vtkNew<vtkIdList> own;
-    begins.push_back(0);
-    for (std::size_t cell = 0; cell < allTypes.size(); ++cell)
-    {
-      if (isOwner[cell] && allTypes[cell] == polyhedronType)
+      Eigen::Map<Eigen::Vector3d> place(&places[3 * point]);
+      if (!areRounded_)
       {
-        appendFaces(grid, static_cast<vtkIdType>(cell), ids);
+        mesh.cells->GetPoint(static_cast<vtkIdType>(origins_[point]), place.data());
+        continue;
       }
-      else if (isOwner[cell])
-      {
-        mesh->GetCellPoints(static_cast<vtkIdType>(cell), own);
-        ids.insert(ids.end(), own->begin(), own->end());
-      }
-      begins.push_back(static_cast<std::int64_t>(ids.size()));
+      surface_->GetPoint(static_cast<vtkIdType>(point), place.data());
+      place += mesh.middle;
     }
-    points = {coordinates.data(), coordinates.size() / 3};
-    types = allTypes.data();
-    corners = {ids.data(), ids.size()};
-    offsets = {begins.data(), begins.size()};
+    return places;
   }
 
-  std::vector<double> coordinates;
-  std::vector<std::int64_t> ids, begins;
+  void setPlaces(const std::vector<double>& places)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->SetNumberOfPoints(surface_->GetNumberOfPoints());
+    for (vtkIdType point = 0; point < points->GetNumberOfPoints(); ++point)
+    {
+      points->SetPoint(point, &places[3 * static_cast<std::size_t>(point)]);
+    }
+    surface_->SetPoints(points);
+  }
+
+  vtkSmartPointer<vtkPolyData> surface_;
+  std::vector<vtkSmartPointer<vtkDataArray>> copies_; ///< of points that no view can show
+  std::vector<std::int64_t> corners_, offsets_, owners_, origins_;
+  bool areRounded_ = false; ///< whether points are near their places only
+  SkinView view_;
 };
 
 } // namespace
@@ -289,11 +325,11 @@ vtkSmartPointer<vtkPointSet> ownCellsOf(
   vtkPointSet* mesh, bool takesFaces, const std::string& name, CellCounts& counts)
 {
   vtkUnsignedCharArray* const flags = mesh->GetCellGhostArray();
-  if (!flags && vtkPolyData::SafeDownCast(mesh))
+  std::vector<std::uint8_t> types = typesOf(mesh);
+  if (!flags && types.empty())
   {
     return mesh;
   }
-  std::vector<std::uint8_t> types = typesOf(mesh);
   types.resize(static_cast<std::size_t>(mesh->GetNumberOfCells()), VTK_POLYGON);
   std::vector<std::uint8_t> ghosts(types.size(), 0);
   if (flags)
@@ -350,18 +386,24 @@ vtkSmartPointer<vtkPointSet> withNumbers(vtkPointSet* mesh, const char* name)
 
 vtkSmartPointer<vtkPolyData> outerSurfaceOf(vtkPointSet* mesh, bool keepsPoints, CellCounts& counts)
 {
-  const auto cells = withNumbers(withoutExplicitStructure(mesh), ownersName);
-  const std::vector<std::uint8_t> types = typesOf(cells);
-  const bool isBezier =
-    std::any_of(types.begin(), types.end(), [](int type) { return type >= firstBezierType; });
-  int halvings = std::any_of(types.begin(), types.end(), isCurved) ? 1 : 0;
-  if (halvings > 0 && !keepsPoints)
+  const NumberedMesh numbered(mesh);
+  Skin skin(numbered, numbered.isCurved ? 1 : 0);
+  if (numbered.isCurved && !keepsPoints)
   {
-    halvings = halvingsOf(Skin(cells, 1, isBezier).view(), Skin(cells, 2, isBezier).view(),
-      types.size(), cells->GetLength(), counts);
+    Skin twice(numbered, 2);
+    const int halvings = halvingsOf(skin.view(), twice.view(),
+      static_cast<std::size_t>(numbered.cells->GetNumberOfCells()), numbered.cells->GetLength(),
+      counts);
+    if (halvings == 2)
+    {
+      return twice.lookingOutward(numbered, counts);
+    }
+    if (halvings > 2)
+    {
+      return Skin(numbered, halvings).lookingOutward(numbered, counts);
+    }
   }
-  Skin skin(cells, halvings, isBezier);
-  return skin.with(outwardPolygons(OwnersView(cells, skin.view(), types), skin.view(), counts));
+  return skin.lookingOutward(numbered, counts);
 }
 
 } // namespace winding

@@ -61,15 +61,6 @@ public:
     }
   }
 
-  void addLeaves(vtkCompositeDataSet* composite)
-  {
-    const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
-    {
-      this->add(leaves->GetCurrentDataObject(), nullptr);
-    }
-  }
-
   std::vector<SolidBlock> take() { return std::move(blocks_); }
 
 private:
@@ -148,7 +139,7 @@ std::vector<SolidBlock> solidBlocksOf(vtkDataObject* composite)
   }
   else
   {
-    collector.addLeaves(vtkCompositeDataSet::SafeDownCast(composite));
+    collector.add(composite, nullptr);
   }
   return collector.take();
 }

@@ -150,7 +150,7 @@ void Solids::addRegions(
 {
   const auto [first, last] = facesOf(data);
   CellRegions regions(data, first, last, options.regionArray, fields, ranks);
-  const std::vector<int>& values = regions.values();
+  const std::vector<vtkIdType>& values = regions.values();
   const bool areLabels = !values.empty() && values.front() + options.labelOffset >= 1 &&
                          values.back() + options.labelOffset <= largestLabel;
   areNumbered_ = !values.empty() && !areLabels && options.labelOffset == 0;

@@ -42,8 +42,8 @@ struct SolidOptions
  *
  * - Of a vtkMultiBlockDataSet every leaf is a solid, also within blocks of blocks, and those that
  *   are not there count, so that labels stay the same over time; the pieces of a multi-piece are
- *   one solid. Of a vtkPartitionedDataSetCollection every partitioned data set is one; of any other
- *   composite every leaf. Labels are their numbers, from 1 on.
+ *   one solid. Of a vtkPartitionedDataSetCollection every partitioned data set is one; any other
+ *   composite is one solid. Labels are their numbers, from 1 on.
  * - Of a single data set every region is a solid: the cells with one value of the array
  *   (CellRegions.h). The label of an integer is the value and the offset. Where these are not all
  *   labels and the offset is 0, and for texts, labels are 1, 2, … in the order of the values.

@@ -75,12 +75,19 @@ const Field& SourceField::prepare(vtkDataObject* source, const SourceOptions& op
     else
     {
       FramedViews framed(frame_);
-      const FieldOptions field = frame_.isStraight()
-                                   ? options.field
-                                   : optionsAlong(options.field, frame_.inverseAxes, frame_.origin);
-      field_ = views->isSurface() || views->isEmpty()
-                 ? Field::build(framed.of(views->triangles()), field, executor)
-                 : Field::build(framed.of(views->orientedPoints()), field, executor);
+      FieldOptions field = frame_.isStraight()
+                             ? options.field
+                             : optionsAlong(options.field, frame_.inverseAxes, frame_.origin);
+      if (views->isSurface() || views->isEmpty())
+      {
+        field_ = Field::build(framed.of(views->triangles()), field, executor);
+      }
+      else
+      {
+        const std::vector<OrientedPointsView> points = framed.of(views->orientedPoints());
+        field.lookAtViewpoints = views->lookAtViewpoints();
+        field_ = Field::build(points, field, executor);
+      }
     }
     options_ = options.field;
     info_ = field_->info();
@@ -142,6 +149,7 @@ Ranks::Number hashOf(const SourceOptions& options)
   hash.addValue(options.input.areas);
   hash.addText(options.input.normalsArray);
   hash.addText(options.input.areaArray);
+  hash.addValue(options.field.estimateNormals);
   hash.addValue(options.field.orientFaces);
   hash.addValue(options.field.ignoreOpenParts);
   hash.addValue(options.field.method);

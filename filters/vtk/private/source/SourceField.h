@@ -29,7 +29,7 @@ struct SourceOptions
 /// Whether normals may be estimated by more than a spanning tree, which takes more memory.
 inline bool mayFindConsistentNormals(const FieldOptions& options)
 {
-  return options.estimateNormals && options.toward.empty() &&
+  return (options.estimateNormals || options.mendsSource) && options.toward.empty() &&
          options.normalEstimation != NormalEstimation::spanningTree;
 }
 

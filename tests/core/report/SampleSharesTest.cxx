@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/FractionalShare.h"
+#include "report/SampleShares.h"
 
 #include "source/Surface.h"
 #include "sums/ReferenceSum.h"
@@ -21,7 +21,7 @@ using namespace shapes;
 std::optional<double> shareOf(const Mesh& mesh)
 {
   const auto field = fieldOf(mesh);
-  return winding::fractionalShare(*field, serial);
+  return winding::sampleShares(*field, serial).fractional;
 }
 
 /// The share found by sums in double.
@@ -53,14 +53,14 @@ Mesh withoutSome(Mesh mesh, std::size_t triangles)
 
 } // namespace
 
-TEST(FractionalShare, IsNothingForClosedSurfaces)
+TEST(SampleShares, FractionalIsNothingForClosedSurfaces)
 {
   EXPECT_EQ(shareOf(cube()), 0);
   EXPECT_EQ(shareOf(cube().with(icosphere(2)).reversed()), 0);
   EXPECT_EQ(shareOf(Mesh()), 0);
 }
 
-TEST(FractionalShare, IsThatOfSumsInDouble)
+TEST(SampleShares, FractionalIsThatOfSumsInDouble)
 {
   for (const Mesh& mesh : {openCube(), withoutSome(icosphere(2), 1), withoutSome(icosphere(2), 200),
          triangleSoup(50, 821)})
@@ -73,7 +73,7 @@ TEST(FractionalShare, IsThatOfSumsInDouble)
   }
 }
 
-TEST(FractionalShare, GrowsWithTheHole)
+TEST(SampleShares, FractionalGrowsWithTheHole)
 {
   double before = 0;
   for (const std::size_t missing : {20, 80, 160})
@@ -84,7 +84,7 @@ TEST(FractionalShare, GrowsWithTheHole)
   }
 }
 
-TEST(FractionalShare, OfFlatSheetsAndAtAnySize)
+TEST(SampleShares, FractionalOfFlatSheetsAndAtAnySize)
 {
   const Mesh sheet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}}};
   EXPECT_GT(shareOf(sheet).value_or(-1), 0.5);
@@ -97,4 +97,17 @@ TEST(FractionalShare, OfFlatSheetsAndAtAnySize)
   const double next = std::nextafter(1.0, 2.0);
   const Mesh tiny{{{1, 1, 1}, {next, 1, 1}, {1, next, 1}}, {{0, 1, 2}}};
   EXPECT_EQ(shareOf(tiny), std::nullopt);
+}
+
+TEST(SampleShares, CountOverlapsOnce)
+{
+  const auto onceOf = [](const Mesh& mesh)
+  {
+    return winding::sampleShares(*fieldOf(mesh), serial).once;
+  };
+  EXPECT_EQ(onceOf(cube()), 1);
+  // Two bars of length 2 overlap by a half, and share the faces along them.
+  const Mesh bars = cube({0, 0, 0}, {2, 1, 1}).with(cube({1, 0, 0}, {3, 1, 1}));
+  EXPECT_NEAR(onceOf(bars), 0.75, 0.01); // measured 0.75
+  EXPECT_EQ(onceOf(cube().with(cube().reversed().moved({2, 0, 0}))), 1);
 }
