@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads the structs of winding.h, from which the package in Python makes those of ctypes.
+"""Reads the structs of winding.h. The package in Python makes structs of ctypes from them.
 
 Usage: header.py <winding.h>. Prints STRUCTS for _built.py.
 """

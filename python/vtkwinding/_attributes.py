@@ -55,7 +55,7 @@ class Attributes:
         self._transfer, self._numbers, self._threads = transfer, numbers, threads
         self._is_composite = bool(data.IsA("vtkCompositeDataSet"))
         self._options = _library.Options(**options)
-        self._left_out, self._note = [], note
+        self._left_out, self._filled, self._note = [], [], note
         leaves = self._source.leaves
         self._fields = [leaf.data.GetFieldData() for leaf in leaves]
         self._of_points = self._arrays(True) if transfer else []
@@ -86,32 +86,52 @@ class Attributes:
                 if not name or name in seen:
                     continue
                 seen.add(name)
-                same = [self._attributes(other, of_points).GetAbstractArray(name)
-                        for other in leaves]
-                if all(other is not None and other.GetDataType() == array.GetDataType() and
-                       other.GetNumberOfComponents() == array.GetNumberOfComponents()
-                       for other in same):
-                    parts = [self._values(one, other, of_points)
+                same = [_same_in(self._attributes(other, of_points), array) for other in leaves]
+                is_color = _is_of_colors(array)
+                if is_color:
+                    are_like = all(other is None or _is_of_colors(other) for other in same)
+                    array = max(filter(None, same), key=lambda one: one.GetNumberOfComponents())
+                    seen.update(other.GetName() for other in same if other is not None)
+                else:
+                    are_like = all(
+                        other is not None and other.GetDataType() == array.GetDataType() and
+                        other.GetNumberOfComponents() == array.GetNumberOfComponents()
+                        for other in same)
+                if are_like:
+                    name = array.GetName()
+                    parts = [self._values(one, other, of_points) if not is_color else
+                             self._colors(one, other, of_points, array.GetNumberOfComponents())
                              for one, other in zip(leaves, same)]
+                    if any(other is None for other in same):
+                        self._add_name(self._filled, name)
                     names = [self._names_of(place, name) for place in range(len(leaves))]
                     if any(own != names[0] for own in names):
                         if any(own is None for own in names) or not _has_room_for_names(parts[0]):
-                            self._leave_out(name)
+                            self._add_name(self._left_out, name)
                             continue
                         parts, united = _united(parts, names)
                     else:
                         united = names[0]
                     values = np.concatenate(parts)
-                    is_color = values.dtype == np.uint8 and values.shape[1:] in ((3,), (4,))
                     found.append((name, values, values.dtype.kind == "f" or is_color,
                                   attributes.IsArrayAnAttribute(number), united))
                 else:
-                    self._leave_out(name)
+                    self._add_name(self._left_out, name)
         return found
 
-    def _leave_out(self, name):
-        if name not in self._left_out:
-            self._left_out.append(name)
+    @staticmethod
+    def _add_name(names, name):
+        if name not in names:
+            names.append(name)
+
+    def _colors(self, leaf, array, of_points, components):
+        """Returns the colours of a leaf, white and opaque unless its array, or None, says more."""
+        rows = leaf.rows if of_points else leaf.cells
+        count = leaf.data.GetNumberOfPoints() if of_points else leaf.data.GetNumberOfCells()
+        made = np.full((count, components), 255, np.uint8)[rows]
+        if array is not None:
+            made[:, :array.GetNumberOfComponents()] = self._values(leaf, array, of_points)
+        return made
 
     def _is_taken(self, name, target):
         """Returns whether the result has an array of a name already, or gets one of its own."""
@@ -119,27 +139,37 @@ class Attributes:
             name == "NearestCell" or self._is_composite and name == "NearestBlock")
 
     def _taken(self, surface):
-        """Returns the names of arrays that a surface has already, except its own normals."""
-        names = []
+        """Returns the names of arrays that a surface has already, except its own normals, and
+        whether there are others."""
+        names, is_any = [], False
         for arrays, target in ((self._of_points, surface.GetPointData()),
                                (self._of_cells, surface.GetCellData())):
             own = target.GetNormals().GetName() if target.GetNormals() else None
-            names += [name for name, _, _, kind, _ in arrays
-                      if kind != target.NORMALS and name != own and self._is_taken(name, target)]
-        return list(dict.fromkeys(names))
+            for name, _, _, kind, _ in arrays:
+                is_taken = self._is_taken(name, target)
+                is_any = is_any or not is_taken
+                if is_taken and kind != target.NORMALS and name != own:
+                    self._add_name(names, name)
+        return names, is_any
 
-    def _note_left_out(self, taken):
-        """Notes what is not taken over."""
-        left_out = self._left_out
-        if left_out:
-            more = (f", nor {'is' if len(taken) == 1 else 'are'} {', '.join(taken)}, "
-                    "which the result has of its own") if taken else ""
-            self._note("the inputs differ in their arrays: give all the same arrays; "
-                       f"{', '.join(left_out)} {'is' if len(left_out) == 1 else 'are'} "
-                       f"not taken over{more}")
+    def _note_left_out(self, taken, is_any):
+        """Notes what is not taken over, or not from everywhere."""
+        def listed(names):
+            return f"{', '.join(names)} {'is' if len(names) == 1 else 'are'}"
+
+        notes = []
+        if self._left_out:
+            own = (f", nor {'is' if len(taken) == 1 else 'are'} {', '.join(taken)}, "
+                   "which the result has of its own") if taken else ""
+            notes.append(("otherArrays", listed(self._left_out), own))
         elif taken:
-            self._note("the result has arrays of the same names: rename them in the input; "
-                       f"{', '.join(taken)} {'is' if len(taken) == 1 else 'are'} not taken over")
+            notes.append(("arraysOfResult", listed(taken)))
+        if self._filled:
+            notes.append(("noColorsOfSome", listed(self._filled)))
+        if self._transfer and self._source.leaves and not is_any and not notes:
+            notes.append(("noArrays",))
+        for note in notes:
+            self._note(_library.sentence(*note))
 
     @staticmethod
     def _values(leaf, array, of_points):
@@ -154,7 +184,7 @@ class Attributes:
         """Gives a surface, vtkPolyData with polygons, what its points and faces are near to."""
         points = _datasets.floats_of(surface, surface.GetPoints().GetData()).astype(float) if (
             surface.GetNumberOfPoints()) else np.empty((0, 3))
-        taken = self._taken(surface)
+        taken, is_any = self._taken(surface)
         if self._numbers or self._of_points:
             self._add(surface, True, np.ascontiguousarray(points), show)
         if self._numbers or self._of_cells:
@@ -174,7 +204,7 @@ class Attributes:
                 for text in names:
                     array.InsertNextValue(text)
                 surface.GetFieldData().AddArray(array)
-        self._note_left_out(taken)
+        self._note_left_out(taken, is_any)
 
     def numbers_at(self, samples, show=None):
         """Returns 'NearestCell' of samples and, of composite data, 'NearestBlock', by name."""
@@ -234,6 +264,21 @@ class Attributes:
             values = np.concatenate([none, *values])
             made.append(np.where(are_near, values[nearest] if len(values) else -1, -1))
         return made[0].astype(np.int64), made[1].astype(np.int32)
+
+
+def _is_of_colors(array):
+    """Returns whether an array is taken for colours."""
+    return bool(array.IsA("vtkUnsignedCharArray")) and array.GetNumberOfComponents() in (3, 4)
+
+
+def _same_in(attributes, array):
+    """Returns the array that has the name of another, or colours by the name for three components
+    or four; None if there is none."""
+    name = array.GetName()
+    same = attributes.GetAbstractArray(name)
+    other = {"RGB": "RGBA", "RGBA": "RGB"}.get(name)
+    return same if same is not None or other is None or not _is_of_colors(array) else (
+        attributes.GetAbstractArray(other))
 
 
 def _has_room_for_names(values):

@@ -16,7 +16,8 @@ from ._files import FloatArray, IdArray
 def boolean(solids: list[fields.Field], operation: str = "union", *, resolution: int | None = None,
             dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
             bounds: ArrayLike | None = None, padding: float = 0.05, features: str = "smooth",
-            close_border: bool = False, dtype: DTypeLike | None = None
+            close_border: bool = False, mend_source: bool = True,
+            dtype: DTypeLike | None = None
             ) -> tuple[FloatArray, IdArray]:
     """Returns the surface of what an operation makes of solids: vertices (V, 3) and faces (F, 3).
 
@@ -29,19 +30,21 @@ def boolean(solids: list[fields.Field], operation: str = "union", *, resolution:
     solids = list(solids)
     if len(solids) < 2 or not all(isinstance(solid, fields.Field) for solid in solids):
         raise TypeError("solids must be a list of two or more Field")
+    mend_source = _options.flag("mend_source", mend_source)
     kind = 0 if dtype is None else _library.TYPES[fields.float_type(dtype)]
     number = _options.choice("operation", operation, _options.OPERATIONS)
 
     sides = [solid._sides() for solid in solids]
 
     def box():
-        found = reach_of_fields(solids, sides, number)
+        found = reach_of_fields(solids, sides, number, mend_source)
         return [0, 1] * 3 if found is None else found
 
     grid = fields.grid_of(_grids.Plan(box, resolution=resolution, dimensions=dimensions,
-                                      spacing=spacing, bounds=bounds, padding=padding), box)
+                                      spacing=spacing, bounds=bounds, padding=padding), box,
+                          list(zip(solids, sides)), mend_source)
     arrays = combine(
-        solids, sides, number, grid,
+        solids, sides, number, grid, mend_source=mend_source,
         features=_options.choice("features", features, _options.FEATURES),
         close_border=_options.flag("close_border", close_border), type=kind)
     if arrays["points"] is None:
@@ -73,20 +76,23 @@ def reach_of(boxes, operation, are_beyond):
     return np.stack([low, high], 1).ravel().tolist()
 
 
-def reach_of_fields(solids, sides, operation):
+def reach_of_fields(solids, sides, operation, mend_source):
     """Returns the box that the result of an operation on fields can reach; None for no source."""
-    return reach_of([fields.box_of([solid]) for solid in solids], operation, [
+    return reach_of([fields.box_of([solid.as_solid(mend_source)]) for solid in solids], operation, [
         reaches_beyond(one.rule.inside_rule, one.rule.winding_threshold,
                        solid._options["sheet_side"])
         for solid, one in zip(solids, sides)])
 
 
-def combine(solids, sides, operation, grid, *, show=None, generate_normals=0, **settings):
+def combine(solids, sides, operation, grid, *, mend_source, show=None, generate_normals=0,
+            **settings):
     """Returns the arrays of the surface as triangles; 'numbers' say which solid each lies on."""
-    handles = (ctypes.c_void_p * len(solids))(*(solid._handle(False).value for solid in solids))
+    use = fields.use_of_solids(mend_source)
+    handles = (ctypes.c_void_p * len(solids))(*(solid._handle(use).value for solid in solids))
     rules = (_library.Rule * len(solids))(*(one.rule for one in sides))
     options = _library.SurfaceOptions(
-        generate_triangles=1, generate_normals=generate_normals, **settings)
+        generate_triangles=1, generate_normals=generate_normals,
+        mend_source=mend_source, **settings)
     mesh = _library.Handle("winding_mesh_free")
     _library.call("winding_boolean", handles, ctypes.c_size_t(len(solids)),
                   ctypes.c_int32(operation), ctypes.byref(grid), rules, ctypes.byref(options),

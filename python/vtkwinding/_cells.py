@@ -124,8 +124,8 @@ def with_faces(grid, types, before=0):
     """Returns the ids of all cells of an unstructured grid, as the library takes them, and their
     offsets.
 
-    Polyhedra have their faces. Convex sets of points, whose `types` change to that of polyhedra,
-    have the faces of the tetrahedra that VTK cuts them into. Ids count from `before`."""
+    Polyhedra have their faces. Convex sets of points become polyhedra, also in `types`, with the
+    faces of the tetrahedra that VTK cuts them into. Ids count from `before`."""
     corners, offsets = _datasets.cells_of(grid, grid.GetCells())
     special = np.isin(types, (_POLYHEDRON, _CONVEX_POINT_SET))
     streams = {cell: (_faces_of if types[cell] == _POLYHEDRON else _tetrahedra_of)(

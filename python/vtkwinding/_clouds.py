@@ -66,6 +66,8 @@ def areas_of(source, method, *, estimates, point_area, threads, show=None, **opt
     to = ctypes.c_void_p(areas.ctypes.data)
     if cloud.normals is None and estimates:
         made = np.empty((len(areas), 3), np.float32)
+        if cloud.views is not None:
+            made[:], given.look_at_viewpoints = cloud.views, True
         _library.call("winding_estimate_normals", _library.array_of(cloud.points),
                       ctypes.byref(given), _library.RUN, ctypes.c_void_p(made.ctypes.data), to,
                       None, **run)

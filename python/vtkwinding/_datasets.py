@@ -136,6 +136,46 @@ def leaves_of(data):
     return leaves
 
 
+def blocks_of(composite):
+    """Returns the blocks of composite data that are solids, as vtkWindingNumberLabels has them:
+    names, and data objects or None. These are the leaves of a multi-block, the partitioned data
+    sets of a collection, or the whole of any other one."""
+    found, key = [], class_of(composite, "vtkCommonDataModel", "vtkCompositeDataSet").NAME()
+
+    def add(block, about):
+        if block is not None and block.IsA("vtkMultiBlockDataSet"):
+            add_all(block, block.GetNumberOfBlocks(), block.GetBlock)
+            return
+        name = about.Get(key) if about is not None and about.Has(key) else ""
+        found.append((name or f"Block {len(found) + 1}", block))
+
+    def add_all(blocks, count, block_of):
+        for index in range(count):
+            about = blocks.GetMetaData(index) if blocks.HasMetaData(index) else None
+            add(block_of(index), about)
+
+    if composite.IsA("vtkPartitionedDataSetCollection"):
+        add_all(composite, composite.GetNumberOfPartitionedDataSets(),
+                composite.GetPartitionedDataSet)
+    else:
+        add(composite, None)
+    return found
+
+
+def own_names(names):
+    """Returns names with numbers behind those that were there before, and a count of these."""
+    every, taken, found = set(names), set(), []
+    for given in names:
+        name, number = given, 2
+        while name in taken:
+            following = f"{given} ({number})"
+            name = name if following in every else following
+            number += 1
+        taken.add(name)
+        found.append(name)
+    return found, sum(name != given for name, given in zip(found, names))
+
+
 def modified_time(data):
     """Returns when a data set was modified, the arrays within its cells included:
     vtkCellArray.GetMTime() leaves those out."""

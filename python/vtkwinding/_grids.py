@@ -75,7 +75,7 @@ class Plan:
             if steps[0] == steps[1] == steps[2]:
                 self.voxel_size = steps[0]
             else:
-                box_of_source = self.bounds or _padded(source_bounds(), self.padding)
+                box_of_source = self.bounds or _padded(source_bounds(), self.padding, steps)
                 self.bounds, self.dimensions = _bricks(box_of_source, steps)
 
 
@@ -84,10 +84,12 @@ def grown(bounds, reach):
     return [end + (reach if index % 2 else -reach) for index, end in enumerate(bounds)]
 
 
-def _padded(bounds, padding):
-    """Returns a box with a margin by each axis, or by the longest where an axis has no length."""
+def _padded(bounds, padding, steps):
+    """Returns a box with a margin by each axis, or by the longest where an axis has no length: a
+    voxel of these steps at least, unless there is no padding."""
     sides = [bounds[2 * axis + 1] - bounds[2 * axis] for axis in range(3)]
-    margins = [padding * (side if side > 0 else max(sides)) for side in sides]
+    margins = [padding and max(step, padding * (side if side > 0 else max(sides)))
+               for side, step in zip(sides, steps)]
     return [end + (margins[index // 2] if index % 2 else -margins[index // 2])
             for index, end in enumerate(bounds)]
 

@@ -25,17 +25,18 @@ def over(grid, at_cells):
     return pv.ImageData(dimensions=counts, spacing=steps, origin=first)
 
 
-def on_grid(field, grid, kinds, sides, coverage=0, band=0, show=None):
+def on_grid(field, grid, kinds, sides, coverage=0, band=0, show=None, mend_source=False):
     """Returns values of a field on a grid, x running fastest: flat arrays by their names in the
     library. `band` is the number of voxels beyond which distances need not be exact."""
     if coverage == 2:
         kinds = {**kinds, "fractions": np.dtype("f4")}
-    values = field.on_grid(grid, kinds, sides, show=show, coverage=coverage,
-                           distance_limit=band * max(grid.spacing))
+    values = field.on_grid(grid, kinds, sides, show=show, mend_source=mend_source,
+                           coverage=coverage, distance_limit=band * max(grid.spacing))
     return {name: array.ravel(order="F") for name, array in values.items()}
 
 
-def evaluate(field, data, kinds, sides, *, at_cells=False, coverage=0, band=0, show=None):
+def evaluate(field, data, kinds, sides, *, at_cells=False, coverage=0, band=0, show=None,
+             mend_source=False):
     """Returns values of a field at the points of a data set, or at the centres of its cells. They
     are flat arrays by their names in the library. Coverage and bands are for images."""
     grid, frame = None, None
@@ -44,7 +45,7 @@ def evaluate(field, data, kinds, sides, *, at_cells=False, coverage=0, band=0, s
         grid, frame = _parts.grid_of_image(data, at_cells, are_voxels=bool(coverage), **skew)
     if grid is not None:
         return on_grid(field if frame is None else field.framed(frame), grid, kinds, sides,
-                       coverage, band, show)
+                       coverage, band, show, mend_source)
     if (coverage or band) and not _parts.has_right_angles(data):
         raise WindingError("the axes of the image are not at right angles: resample it first")
     places = _parts.centres_of(data) if at_cells else _datasets.points_of(data)

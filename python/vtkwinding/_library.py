@@ -30,7 +30,7 @@ from ._regions import Regions
 
 ABI = 1
 PYTHON_WORDS, PARAVIEW_WORDS = 1, 2
-_VOXELS = {PYTHON_WORDS: "resolution=, spacing=", PARAVIEW_WORDS: "Resolution, Voxel Size"}
+_VOXELS = {PYTHON_WORDS: "resolution=, spacing=", PARAVIEW_WORDS: "Resolution"}
 OK, REFUSED, INTERRUPTED, NO_MEMORY, MISUSED, FAILED = range(6)
 TYPES = {np.dtype(name): number for name, number in
          (("f4", 1), ("f8", 2), ("i4", 3), ("i8", 4), ("u1", 5), ("u2", 6))}
@@ -293,6 +293,9 @@ def arrays_of(mesh):
         "slit_widths": view(arrays.slit_widths, np.float64, polygons),
         "distances_from": (None, "source", "surface")[arrays.distances_from],
         "filled_cavities": arrays.filled_cavities,
+        "closed": bool(arrays.is_closed), "parts": arrays.part_count, "volume": arrays.volume,
+        "input_volume": arrays.input_volume,
+        "solid_in_words": (arrays.solid_in_words or b"").decode(),
         "inside": view(arrays.inside, np.uint8, arrays.sample_count),
         "column_count": arrays.column_count,
         "regions": _regions_of(mesh, arrays),

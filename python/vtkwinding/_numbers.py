@@ -16,6 +16,8 @@ def _numbers(name, array, kinds, words):
     # NumPy would hand out what lies below a mask.
     if np.ma.is_masked(array):
         raise ValueError(f"{name} must have no masked entries: leave them out, or fill them")
+    if found.ndim == 0 and found.dtype.kind == "O":
+        raise TypeError(f"{name} must be an array of {words}, not {type(array).__name__}")
     if found.size and found.dtype.kind not in kinds:
         raise TypeError(f"{name} must be an array of {words}, not of {found.dtype}")
     return found

@@ -70,17 +70,19 @@ def _in_range(name, value, least, most):
     return value
 
 
-def shape(fill_cavities, offset, shell, shell_side):
-    """Returns the library's settings for the shape of a solid, and how far it reaches beyond."""
+def shape(fill_cavities, gap_width, offset, shell, shell_side):
+    """Returns the library's settings for the shape of a solid, and how far its grid reaches beyond
+    the solid."""
     settings = {"fill_cavities": flag("fill_cavities", fill_cavities),
+                "gap_width": number("gap_width", gap_width, 0),
                 "offset": number("offset", offset), "shell": number("shell", shell, 0),
                 "shell_side": choice("shell_side", shell_side, SHELL_SIDES)}
-    return settings, reach(settings["offset"], settings["shell"], settings["shell_side"])
+    return settings, reach(**settings)
 
 
-def reach(offset, shell, shell_side):
-    """Returns how far the shape of a solid reaches beyond it."""
-    return max(0.0, offset + (0, 1, 0.5)[shell_side] * shell)
+def reach(fill_cavities, gap_width, offset, shell, shell_side):
+    """Returns how far the grid of the shape of a solid reaches beyond it."""
+    return max(gap_width if fill_cavities else 0.0, offset + (0, 1, 0.5)[shell_side] * shell)
 
 
 def text(name, value):

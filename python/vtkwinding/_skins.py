@@ -38,16 +38,17 @@ def outer_surface(mesh, surface_cells, keeps_points, counts):
     for attributes, count in ((numbered.GetCellData(), mesh.GetNumberOfCells()),
                               (numbered.GetPointData(), mesh.GetNumberOfPoints())):
         attributes.AddArray(_datasets.vtk_array_of(mesh, _OWNERS, np.arange(count)))
-    halvings = 1 if _datasets.has_curved(types) else 0
+    is_curved = _datasets.has_curved(types)
     is_bezier = bool((types >= _FIRST_BEZIER).any())
-    if halvings and not keeps_points:
-        once, twice = (_Skin(numbered, times, is_bezier) for times in (1, 2))
-        found = ctypes.c_int32()
-        _library.call("winding_halvings", ctypes.byref(once.view), ctypes.byref(twice.view),
+    skin = _Skin(numbered, int(is_curved), is_bezier)
+    if is_curved and not keeps_points:
+        twice, found = _Skin(numbered, 2, is_bezier), ctypes.c_int32()
+        _library.call("winding_halvings", ctypes.byref(skin.view), ctypes.byref(twice.view),
                       ctypes.c_int64(len(types)), ctypes.c_double(mesh.GetLength()),
                       ctypes.byref(found), ctypes.byref(counts))
-        halvings = found.value
-    return _Skin(numbered, halvings, is_bezier).looking_outward(mesh, types, counts)
+        if found.value > 1:
+            skin = twice if found.value == 2 else _Skin(numbered, found.value, is_bezier)
+    return skin.looking_outward(mesh, types, counts)
 
 
 def _types_of(mesh):
@@ -84,6 +85,7 @@ class _Skin:
     Bézier cells, whose nodes are off their faces."""
 
     def __init__(self, mesh, halvings, has_bezier_cells):
+        self._are_rounded = halvings > 1 or (halvings == 1 and has_bezier_cells)
         middle = np.array(mesh.GetCenter()) if halvings else 0
         places = _datasets.floats_of(mesh, mesh.GetPoints().GetData())
         filter = _datasets.class_of(mesh, "vtkFiltersGeometry", "vtkDataSetSurfaceFilter")()
@@ -102,12 +104,12 @@ class _Skin:
                 self._before:self._before + count].astype(np.int64)
             self._origins = _datasets.array_of(
                 mesh, surface.GetPointData().GetArray(_OWNERS)).astype(np.int64)
-            if halvings == 1 and not has_bezier_cells:
-                self._points = places[self._origins].astype(float)
+            if self._are_rounded:
+                self._points = self._points + middle
             elif halvings:
-                self._points = welded(self._points + middle, _ROUNDING * mesh.GetLength())
+                self._points = places[self._origins].astype(float)
             if halvings:
-                self.surface = surface = _with_points(surface, self._points)
+                self.surface = _with_points(surface, self._points)
         self.view = _library.Skin(
             _library.array_of(self._points),
             _library.Polygons(_library.array_of(self._corners), _library.array_of(self._offsets)),
@@ -116,6 +118,10 @@ class _Skin:
     def looking_outward(self, mesh, types, counts):
         """Returns the surface with the polygons that bound the mesh, turned away from their
         cells."""
+        if self._are_rounded and len(self.owners):
+            self._points = welded(self._points, _ROUNDING * mesh.GetLength())
+            self.view.points = _library.array_of(self._points)
+            self.surface = _with_points(self.surface, self._points)
         surface, count = self.surface, len(self.owners)
         surface.GetCellData().RemoveArray(_OWNERS)
         surface.GetPointData().RemoveArray(_OWNERS)

@@ -46,6 +46,7 @@ class Leaf(NamedTuple):
     cells: np.ndarray | None
     normals: np.ndarray | None
     areas: np.ndarray | None
+    views: np.ndarray | None  # from points without normals to where each was seen from
     block: int = 0
 
     @property
@@ -67,7 +68,7 @@ class Source:
 
     points: (N, 3) floats of all leaves.
     corners, offsets: ids of points, and where each polygon begins and ends; None for a cloud.
-    normals, areas: of the points, or None.
+    normals, areas, views: of the points, or None.
     counts: of cells that are left out or turned, as the library has them.
     """
 
@@ -83,16 +84,16 @@ class Source:
             self.offsets = np.concatenate(
                 [np.zeros(1, np.int64)] + [leaf.offsets[1:] + start for leaf, start in zip(
                     leaves, first_corners)]) if len(leaves) > 1 else leaves[0].offsets
-        self.normals, self.areas = (
+        self.normals, self.areas, self.views = (
             _joined([getattr(leaf, name) for leaf in leaves])
             if leaves and all(getattr(leaf, name) is not None for leaf in leaves) else None
-            for name in ("normals", "areas"))
+            for name in ("normals", "areas", "views"))
 
     def copied(self):
         """Returns the same with copies of all arrays, and without leaves, which hold data sets."""
         made = copy.copy(self)
         made.leaves = []
-        for name in ("points", "corners", "offsets", "normals", "areas"):
+        for name in ("points", "corners", "offsets", "normals", "areas", "views"):
             array = getattr(self, name)
             setattr(made, name, None if array is None else array.copy())
         return made
@@ -179,7 +180,7 @@ def source_of(data, *, normals_array=None, areas_array=None, surface_cells=False
 def _leaf(data, has_faces, is_cloud, normals_array, areas_array):
     """Takes apart polydata, or any data set that is a cloud."""
     points = _datasets.floats_of(data, data.GetPoints().GetData())
-    corners = offsets = cells = normals = areas = None
+    corners = offsets = cells = normals = areas = views = None
     if has_faces:
         corners, offsets, cells = _own_polygons(data)
     if is_cloud:
@@ -188,12 +189,17 @@ def _leaf(data, has_faces, is_cloud, normals_array, areas_array):
             normals = None  # the faces have directions
         if areas_array is not None:
             areas = _point_array(data, areas_array, 1)
+        seen_from = data.GetPointData().GetArray("Viewpoints")
+        if (normals is None and not has_faces and seen_from is not None
+                and seen_from.GetNumberOfComponents() == 3
+                and seen_from.GetNumberOfTuples() == len(points)):
+            views = _datasets.floats_of(data, seen_from) - points
     ghosts = None if has_faces else _datasets.ghosts_of(
         data.GetPointData(), _datasets.GHOST_POINTS, len(points))
     rows = slice(None) if ghosts is None else np.flatnonzero(~ghosts)
-    points, normals, areas = (
-        None if array is None else array[rows] for array in (points, normals, areas))
-    return Leaf(data, points, rows, corners, offsets, cells, normals, areas)
+    points, normals, areas, views = (
+        None if array is None else array[rows] for array in (points, normals, areas, views))
+    return Leaf(data, points, rows, corners, offsets, cells, normals, areas, views)
 
 
 def have_directions(normals):
@@ -265,10 +271,11 @@ def turned_polygons(corners, offsets, are_turned):
 
 
 def framed(parts, frame):
-    """Returns what has points, normals, corners and offsets, in the coordinates of an image."""
+    """Returns a Source, or what has its arrays, in the coordinates of an image."""
     made = copy.copy(parts)
     made.points = frame.positions(parts.points)
-    made.normals = None if parts.normals is None else frame.directions(parts.normals)
+    made.normals, made.views = (None if array is None else frame.directions(array)
+                                for array in (parts.normals, parts.views))
     if parts.corners is not None and frame.is_mirrored:  # a mirror image looks inward
         made.corners = turned_polygons(
             parts.corners, parts.offsets, np.ones(len(parts.offsets) - 1, bool))
@@ -286,6 +293,7 @@ class SourceField(Field):
         self.source, self.options = source, {**DEFAULTS, **options}
         self._vertices, self._normals, self._areas = source.points, source.normals, source.areas
         self._corners, self._offsets = source.corners, source.offsets
+        self._views = source.views
         self._choose(**self.options)
 
     def with_own_arrays(self):

@@ -11,8 +11,14 @@ from . import _datasets, _grids, _options
 from ._cells import check_cells
 
 
+def as_block(mesh):
+    """Returns a mesh as a MultiBlock may have it: as a MultiBlock itself, where it has parts."""
+    return pv.MultiBlock(list(mesh)) if isinstance(mesh, pv.PartitionedDataSet) else mesh
+
+
 def outer_surface(mesh):
     """Returns the triangles of any mesh; of all blocks, where it has some."""
+    mesh = as_block(mesh)
     if isinstance(mesh, pv.MultiBlock):
         mesh = mesh.combine() if mesh.n_blocks else pv.PolyData()
     if isinstance(mesh, pv.PointSet):

@@ -3,8 +3,8 @@
 """mesh.winding: winding numbers of the meshes of PyVista, which imports this at its first use.
 
 The mesh may be a surface, which need not be closed, a cloud of points with normals, a volume mesh,
-which counts through its outer surface, or a MultiBlock of these, whose blocks are one source. Where
-values are asked for at its points or cells, it may be any mesh.
+which counts through its outer surface, or a MultiBlock or PartitionedDataSet of these, which is one
+source. Where values are asked for at its points or cells, it may be any mesh.
 
 Methods that compute winding numbers take the options of vtkwinding.arrays. The options
 normals_array and areas_array name the point arrays with the normals of a cloud, where these are not
@@ -43,6 +43,7 @@ from ._progress import bar
 from ._regions import name_of, names_of_ids, names_of_labels, names_of_parts, regions_of
 from ._signatures import SourceOptions, spelled_out
 from ._sources import DEFAULTS, SourceField, kept_polygons, source_of, turned_polygons
+from ._voxels import as_block
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -53,6 +54,7 @@ _ALL_DEFAULTS = {**DEFAULTS, **_SOURCE_DEFAULTS}
 # cycles, for PyVista ties a mesh and its accessor to each other.
 _recent: collections.deque[tuple[weakref.ref[Any], SourceField]] = collections.deque(maxlen=4)
 _MOST_LABELS = 65535
+_COMPOSITE = (pv.MultiBlock, pv.PartitionedDataSet)
 _OF_SIDES = ("threshold", "rule", "n_threads", "longest_expected_time")
 _with_options = spelled_out(SourceOptions, _ALL_DEFAULTS)
 
@@ -66,7 +68,7 @@ def _forget(mesh):
 def _check_source(name, mesh):
     """Refuses a mesh that cannot be the source of a field."""
     if not isinstance(mesh, (pv.PointSet, pv.PolyData, pv.UnstructuredGrid, pv.StructuredGrid,
-                             pv.ExplicitStructuredGrid, pv.MultiBlock)):
+                             pv.ExplicitStructuredGrid, *_COMPOSITE)):
         kind = type(mesh).__name__
         raise TypeError(f"{name} must be a surface, a cloud or a mesh of cells, not {kind}")
     return mesh
@@ -86,6 +88,7 @@ def _source(mesh, name="the mesh", *, as_points=False, notes=None, **arrays):
 
 def _leaves(mesh):
     """Returns the data sets of a mesh: itself, or all blocks."""
+    mesh = as_block(mesh)
     if not isinstance(mesh, pv.MultiBlock):
         return [mesh]
     return [leaf for block in mesh if block is not None for leaf in _leaves(block)]
@@ -93,6 +96,7 @@ def _leaves(mesh):
 
 def _copied(mesh):
     """Returns a copy that shares the arrays of the mesh, and no block of a MultiBlock."""
+    mesh = as_block(mesh)
     if not isinstance(mesh, pv.MultiBlock):
         return mesh.copy(deep=False)
     copy = mesh.copy(deep=False)
@@ -138,8 +142,10 @@ def _polydata(points, corners, offsets):
 
 
 def _surface_of(arrays):
-    """Returns a surface that the library has made, with its normals."""
+    """Returns a surface that the library has made, with its normals and measures."""
     surface = _polydata(arrays["points"], arrays["corners"], arrays["offsets"])
+    for name in ("closed", "parts", "volume"):
+        surface.field_data[name.capitalize()] = [arrays[name]]
     if arrays["point_normals"] is not None:
         surface.point_data["Normals"] = arrays["point_normals"]
         surface.point_data.active_normals_name = "Normals"
@@ -171,9 +177,9 @@ class WindingAccessor:
         sides = fields.Sides(*(given.pop(option) for option in _OF_SIDES))
         made = SourceField(source, **given)
         kept = self._kept()
-        if kept is None or kept.options != made.options or not all(
-                _same(getattr(kept.source, array), getattr(source, array))
-                for array in ("points", "corners", "offsets", "normals", "areas")):
+        if kept is None or kept._options != made._options or not all(
+                _same(getattr(kept, array), getattr(made, array))
+                for array in ("_vertices", "_corners", "_offsets", "_normals", "_areas")):
             kept = made.with_own_arrays()
             _recent.append((weakref.ref(self._mesh, _forget), kept))
             self._kept = weakref.ref(kept)
@@ -181,15 +187,16 @@ class WindingAccessor:
         return made, sides
 
     @staticmethod
-    def _grid(*made, reach=0, **wishes):
-        """Returns the grid of the library over the sources of fields, and their reach."""
+    def _grid(*made, reach=0, solids=(), mend_source=False, **wishes):
+        """Returns the grid of the library over the sources of fields, and their reach, as
+        fields.grid_of() does."""
         def bounds():
             found = fields.box_of(made)
             if found is None:
                 raise WindingError("the input is empty, and has no bounds: give bounds (bounds=)")
             return _grids.grown(found, reach)
 
-        return fields.grid_of(_grids.Plan(bounds, **wishes), bounds)
+        return fields.grid_of(_grids.Plan(bounds, **wishes), bounds, solids, mend_source)
 
     @_with_options
     def field(self, *, reference_volume: pv.ImageData | None = None,
@@ -202,9 +209,9 @@ class WindingAccessor:
         """Returns the winding number on a grid: ImageData with the array 'WindingNumber'.
 
         The grid is that of reference_volume, or has dimensions, voxels of a spacing (one number or
-        three), or a resolution, the number of cubic voxels along the longest side (64 where nothing
-        is said). It lies over the mesh, with a padding, or over bounds. Its voxels' centres are
-        points, or cells with association='cell'.
+        three), or a resolution, the number of cubic voxels along the longest side (128
+        where nothing is said). It lies over the mesh, with a padding, or over bounds. Its voxels'
+        centres are points, or cells with association='cell'.
 
         Parameters
         ----------
@@ -266,17 +273,19 @@ class WindingAccessor:
                              rounding_func: Callable[[np.ndarray], ArrayLike] | None = None,
                              cell_length_percentile: float | None = None,
                              cell_length_sample_size: int | None = None, coverage: str = "center",
-                             progress_bar: bool = False,
+                             mend_source: bool = True, progress_bar: bool = False,
                              **options: Unpack[SourceOptions]) -> pv.ImageData:
         """Returns ImageData with the point array 'mask', as DataSetFilters.voxelize_binary_mask
         makes it.
 
         The mesh need not be closed. coverage: 'center', 'any' or 'fraction' (half) of a voxel has
-        to be inside. resolution is the number of voxels along the longest side.
+        to be inside. resolution is the number of voxels along the longest side. mend_source: as in
+        surface().
         """
         mesh = _check_source("the mesh", self._mesh)
         kind = _voxels.mask_type(background_value, foreground_value)
         cover = _options.choice("coverage", coverage, _options.COVERAGES)
+        mends = _options.flag("mend_source", mend_source)
         reference = _voxels.reference_of(
             mesh, reference_volume=reference_volume, dimensions=dimensions, spacing=spacing,
             resolution=resolution, rounding_func=rounding_func,
@@ -286,7 +295,7 @@ class WindingAccessor:
         result = _images.like(reference)
         with bar(progress_bar, "Voxelizing") as show:
             inside = _images.evaluate(field, result, {"inside": np.dtype("u1")}, sides,
-                                      coverage=cover, show=show)["inside"]
+                                      coverage=cover, show=show, mend_source=mends)["inside"]
         if (background_value, foreground_value) != (0, 1) or kind is not np.uint8:
             inside = np.array([background_value, foreground_value], kind)[inside]
         result["mask"] = inside
@@ -299,7 +308,7 @@ class WindingAccessor:
                  rounding_func: Callable[[np.ndarray], ArrayLike] | None = None,
                  cell_length_percentile: float | None = None,
                  cell_length_sample_size: int | None = None, coverage: str = "center",
-                 progress_bar: bool = False,
+                 mend_source: bool = True, progress_bar: bool = False,
                  **options: Unpack[SourceOptions]) -> pv.UnstructuredGrid:
         """Returns UnstructuredGrid of the voxels inside, as DataSetFilters.voxelize makes it.
 
@@ -314,6 +323,7 @@ class WindingAccessor:
             resolution=resolution, rounding_func=rounding_func,
             cell_length_percentile=cell_length_percentile,
             cell_length_sample_size=cell_length_sample_size, coverage=coverage,
+            mend_source=mend_source,
             progress_bar=progress_bar, **options)
         if not hasattr(mask, "points_to_cells"):
             raise WindingError("voxelize() needs PyVista 0.45 or newer: take "
@@ -326,23 +336,31 @@ class WindingAccessor:
     def surface(self, *, dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
                 resolution: int | None = None, bounds: ArrayLike | None = None,
                 padding: float = 0.05, features: str = "smooth", close_border: bool = False,
-                fill_cavities: bool = False, offset: float = 0, shell: float = 0,
-                shell_side: str = "inward", compute_normals: bool = True,
+                fill_cavities: bool = False, gap_width: float = 0, offset: float = 0,
+                shell: float = 0, shell_side: str = "inward", mend_source: bool = True,
+                compute_normals: bool = True,
                 distance_to_input: bool = False,
                 transfer_attributes: bool = False, nearest_cells: bool = False,
                 progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.PolyData:
         """Returns the surface w = threshold, closed over holes: PolyData of triangles.
 
-        The grid is as in field(). features: 'smooth'; 'sharp', which keeps edges and corners; or
-        'voxels', the sides of voxels. The last two have normals of their faces, not of their
-        points. close_border closes the surface where bounds cut it off. distance_to_input adds the
-        point array 'DistanceToInput', as active scalars: distances from this mesh.
+        The grid is as in field(); where no voxels are given there are up to 286 for walls that are
+        thinner than one and a half of 128. features: 'smooth'; 'sharp', which keeps edges and
+        corners; or 'voxels', the sides of voxels. The last two have normals of their faces, not of
+        their points. close_border closes the surface where bounds cut it off. distance_to_input
+        adds the point array 'DistanceToInput', as active scalars: distances from this mesh.
 
-        fill_cavities makes inside what the outside does not reach. offset is the length by which
-        the surface moves outward, inward if negative. shell is the thickness of the shell that
+        fill_cavities makes inside what the outside does not reach, and openings as wide as
+        gap_width do not let it into cavities then. offset is the length by which the surface moves
+        outward, inward if negative. shell is the thickness of the shell that
         replaces the solid, 0 for none; shell_side is 'inward', 'outward' or 'centered', which
         thickens an open surface as a sheet. The field data 'DistancesFrom' say whether distances
         are from this mesh, 'source', or from the 'surface' of the solid.
+
+        mend_source makes a solid of the mesh where a warning would say that it bounds nothing:
+        faces or normals that look inward or contradict each other are turned, points without
+        normals get some, open sheets become plates of three voxels, and the surface is closed at
+        the border of the grid. A warning says what was done.
 
         Parameters
         ----------
@@ -355,25 +373,30 @@ class WindingAccessor:
             that is nearest, and for a MultiBlock 'NearestBlock', the flat index of its block.
         """
         _check_source("the mesh", self._mesh)
-        shape, reach = _options.shape(fill_cavities, offset, shell, shell_side)
+        shape, reach = _options.shape(fill_cavities, gap_width, offset, shell, shell_side)
         settings = {
             "features": _options.choice("features", features, _options.FEATURES),
             "close_border": _options.flag("close_border", close_border),
+            "mend_source": _options.flag("mend_source", mend_source),
             "generate_normals": _options.flag("compute_normals", compute_normals), **shape}
         adds_distances = _options.flag("distance_to_input", distance_to_input)
         attributes = self._attributes(self._mesh, transfer_attributes, nearest_cells, options)
         field, sides = self._field(options)
-        grid = self._grid(field, reach=reach, dimensions=dimensions, spacing=spacing,
-                          resolution=resolution, bounds=bounds, padding=padding)
+        grid = self._grid(field.as_solid(settings["mend_source"]), reach=reach,
+                          solids=[(field, sides)], mend_source=settings["mend_source"],
+                          dimensions=dimensions, spacing=spacing, resolution=resolution,
+                          bounds=bounds, padding=padding)
         with bar(progress_bar, "Extracting the surface") as show:
             arrays = field.level_surface(grid, sides, show=show, **settings)
         surface = _surface_of(arrays)
+        surface.field_data["InputVolume"] = [arrays["input_volume"]]
         if arrays["distances_from"]:
             surface.field_data["DistancesFrom"] = [arrays["distances_from"]]
         if shape["fill_cavities"]:
             surface.field_data["FilledCavities"] = [arrays["filled_cavities"]]
         if adds_distances and surface.n_points:
-            distances = field.at(surface.points, {"distance": np.dtype("f8")}, sides)["distance"]
+            distances = field.at(surface.points, {"distance": np.dtype("f8")}, sides,
+                                 use=fields.use_of_solids(mend_source))["distance"]
             surface.point_data["DistanceToInput"] = np.abs(distances)
             surface.set_active_scalars("DistanceToInput", "point")
         if attributes is not None:
@@ -398,7 +421,8 @@ class WindingAccessor:
     def boolean_union(self, other: Any, *, dimensions: ArrayLike | None = None,
                       spacing: ArrayLike | None = None, resolution: int | None = None,
                       bounds: ArrayLike | None = None, padding: float = 0.05,
-                      features: str = "smooth", transfer_attributes: bool = False,
+                      features: str = "smooth", mend_source: bool = True,
+                      transfer_attributes: bool = False,
                       nearest_cells: bool = False, progress_bar: bool = False,
                       **options: Unpack[SourceOptions]) -> pv.PolyData:
         """Returns the union of this mesh and another, or a list of others: PolyData of triangles.
@@ -407,22 +431,23 @@ class WindingAccessor:
         of them are sampled on one grid, that of field() over what the result can reach. features:
         as in surface(). The cell array 'Operand' says which mesh a face lies on: 0 is this one.
         transfer_attributes and nearest_cells are as in surface(); 'NearestBlock' is 1 for this
-        mesh. The options are for all meshes.
+        mesh. The options are for all meshes, and mend_source is as in surface().
         """
         return self._boolean("union", other, features, progress_bar, options,
-                             transfer_attributes, nearest_cells, dimensions=dimensions,
+                             transfer_attributes, nearest_cells, mend_source, dimensions=dimensions,
                              spacing=spacing, resolution=resolution, bounds=bounds, padding=padding)
 
     @_with_options
     def boolean_intersection(self, other: Any, *, dimensions: ArrayLike | None = None,
                              spacing: ArrayLike | None = None, resolution: int | None = None,
                              bounds: ArrayLike | None = None, padding: float = 0.05,
-                             features: str = "smooth", transfer_attributes: bool = False,
+                             features: str = "smooth", mend_source: bool = True,
+                             transfer_attributes: bool = False,
                              nearest_cells: bool = False, progress_bar: bool = False,
                              **options: Unpack[SourceOptions]) -> pv.PolyData:
         """Returns what this mesh shares with another, or with all of a list: as boolean_union()."""
         return self._boolean("intersection", other, features, progress_bar, options,
-                             transfer_attributes, nearest_cells,
+                             transfer_attributes, nearest_cells, mend_source,
                              dimensions=dimensions, spacing=spacing, resolution=resolution,
                              bounds=bounds, padding=padding)
 
@@ -430,38 +455,43 @@ class WindingAccessor:
     def boolean_difference(self, other: Any, *, dimensions: ArrayLike | None = None,
                            spacing: ArrayLike | None = None, resolution: int | None = None,
                            bounds: ArrayLike | None = None, padding: float = 0.05,
-                           features: str = "smooth", transfer_attributes: bool = False,
+                           features: str = "smooth", mend_source: bool = True,
+                           transfer_attributes: bool = False,
                            nearest_cells: bool = False, progress_bar: bool = False,
                            **options: Unpack[SourceOptions]) -> pv.PolyData:
         """Returns this mesh without another, or without all of a list: as boolean_union()."""
         return self._boolean("difference", other, features, progress_bar, options,
-                             transfer_attributes, nearest_cells,
+                             transfer_attributes, nearest_cells, mend_source,
                              dimensions=dimensions, spacing=spacing, resolution=resolution,
                              bounds=bounds, padding=padding)
 
     def _boolean(self, operation, other, features, progress_bar, options, transfer_attributes,
-                 nearest_cells, **wishes):
+                 nearest_cells, mend_source, **wishes):
         """Returns the surface of an operation on this mesh and others."""
         others = other if isinstance(other, (list, tuple)) else [other]
         number = _options.OPERATIONS[operation]
         settings = {"features": _options.choice("features", features, _options.FEATURES),
-                    "generate_normals": True}
+                    "generate_normals": True,
+                    "mend_source": _options.flag("mend_source", mend_source)}
         _check_source("the mesh", self._mesh)
         for mesh in others:
             _check_source("other", mesh)
         attributes = self._attributes(
-            pv.MultiBlock([self._mesh, *others]), transfer_attributes, nearest_cells, options)
+            pv.MultiBlock([as_block(mesh) for mesh in (self._mesh, *others)]), transfer_attributes,
+            nearest_cells, options)
         made = [self._field(options)] + [
             accessor_of(mesh)._field(options, "other") for mesh in others]
         solids, sides = zip(*made)
+        solids = [field.as_one_of_several() for field in solids]
 
         def bounds():
-            found = _booleans.reach_of_fields(solids, sides, number)
+            found = _booleans.reach_of_fields(solids, sides, number, settings["mend_source"])
             if found is None:
                 raise WindingError("the inputs are empty: give bounds (bounds=)")
             return found
 
-        grid = fields.grid_of(_grids.Plan(bounds, **wishes), bounds)
+        grid = fields.grid_of(_grids.Plan(bounds, **wishes), bounds, list(zip(solids, sides)),
+                              settings["mend_source"])
         with bar(progress_bar, f"Making the {operation}") as show:
             arrays = _booleans.combine(solids, sides, number, grid, show=show, **settings)
         surface = _surface_of(arrays)
@@ -474,7 +504,7 @@ class WindingAccessor:
     def _probe(self, surface, kinds, progress_bar, message, options, association="point"):
         """Returns values of the field of a surface at the points or cells of this mesh, block by
         block."""
-        if not isinstance(self._mesh, (pv.DataSet, pv.MultiBlock)):
+        if not isinstance(self._mesh, (pv.DataSet, *_COMPOSITE)):
             raise TypeError(f"the mesh must have points, not be a {type(self._mesh).__name__}")
         at_cells = _options.choice("association", association, _options.ASSOCIATIONS) == 1
         _check_source("surface", surface)
@@ -538,7 +568,7 @@ class WindingAccessor:
                     copy.replace(index, replaced(block))
             return copy
 
-        return replaced(self._mesh)
+        return replaced(as_block(self._mesh))
 
     @_with_options
     def clip(self, surface: pv.DataObject, *, inside_out: bool = False,
@@ -572,7 +602,8 @@ class WindingAccessor:
         """
         values = self._probe(surface, {"distance": np.dtype("f8")}, progress_bar,
                              "Computing distances", options)
-        target = self._mesh if _options.flag("inplace", inplace) else self._mesh.copy()
+        target = self._mesh if _options.flag("inplace", inplace) else (
+            as_block(self._mesh).copy())
         return _fill(target, values, {"implicit_distance": "distance"})
 
     @_with_options
@@ -619,49 +650,61 @@ class WindingAccessor:
     def labels(self, *, scalars: str | None = None, overlap: str = "first",
                coverage: str = "center", dimensions: ArrayLike | None = None,
                spacing: ArrayLike | None = None, resolution: int | None = None,
-               bounds: ArrayLike | None = None, padding: float = 0.05,
+               bounds: ArrayLike | None = None, padding: float = 0.05, mend_source: bool = True,
                progress_bar: bool = False, **options: Unpack[SourceOptions]) -> pv.ImageData:
         """Returns the solid that each voxel of a grid is in: ImageData with the array 'Label', 0
         outside.
 
-        The solids are the blocks of a MultiBlock, with the labels 1, 2, ... by their places, else
-        the values of the cell array `scalars`, which are the labels themselves if they are integers
-        of 1 to 65535, or the bodies that the mesh has; bodies that cell arrays 'ObjectIds',
-        'SolidIds', 'GroupIds' or 'MaterialIds' name alike, with 'ObjectNames' and so on in the
-        field data, are one. The field data of the result has 'LabelNames' and 'LabelValues'. The
+        The solids are the data sets of a MultiBlock, within its blocks too, with the labels 1, 2,
+        ... by their places; a PartitionedDataSet is one. Of other meshes they are the values of the
+        cell array `scalars`, which are the labels themselves if they are integers of 1 to 65535, or
+        the bodies that the mesh has; bodies that cell arrays 'ObjectIds', 'SolidIds', 'GroupIds' or
+        'MaterialIds' name alike, with 'ObjectNames' and so on in the field data, are one. The field
+        data of the result has 'LabelNames', 'LabelValues' and 'LabelVolumes', of the voxels. The
         grid is as in field(). overlap: 'first', 'last', 'largest' (winding number) or 'smallest'
         (volume) wins. coverage: 'center', 'any' or 'fraction' (half) of a voxel has to be inside.
+        mend_source: as in surface(), for each solid.
         """
         _check_source("the mesh", self._mesh)
+        mends = _options.flag("mend_source", mend_source)
         rule = _options.choice("overlap", overlap, _options.OVERLAPS)
         cover = _options.choice("coverage", coverage, _options.COVERAGES)
         solids = self._solids(scalars, options)
         made = [accessor_of(part)._field(options) for _, _, part in solids]
         sides = made[0][1] if made else fields.Sides(*(_ALL_DEFAULTS[name] for name in _OF_SIDES))
-        made = [field for field, _ in made]
+        made = [field.as_one_of_several().as_solid(mends) for field, _ in made]
         grid = self._grid(*made, dimensions=dimensions, spacing=spacing, resolution=resolution,
                           bounds=bounds, padding=padding)
         names, numbers = [name for name, _, _ in solids], [number for _, number, _ in solids]
         with bar(progress_bar, "Labelling") as show:
             found = fields.label(made, grid, sides, rule, cover, numbers=numbers, names=names,
-                                 have_one_unit=not isinstance(self._mesh, pv.MultiBlock), show=show)
+                                 have_one_unit=not isinstance(self._mesh, _COMPOSITE),
+                                 mend_source=mends, show=show)
         image = _images.over(grid, False)
         image.point_data["Label"] = found.ravel(order="F")
         image.field_data["LabelNames"] = names
         image.field_data["LabelValues"] = np.array(numbers, int)
+        voxels = np.bincount(found.ravel(), minlength=65536)[numbers]
+        image.field_data["LabelVolumes"] = abs(np.prod(image.spacing)) * voxels
         image.set_active_scalars("Label", "point")
         return image
 
     def _solids(self, scalars, options):
         """Returns the parts of this mesh that are solids, with their names and labels."""
         mesh = self._mesh
-        if isinstance(mesh, pv.MultiBlock):
+        if isinstance(mesh, _COMPOSITE):
             if scalars is not None:
                 raise TypeError("scalars must be None for a MultiBlock, whose blocks are solids")
-            return [(name or f"Block-{index:02}", index + 1, mesh[index])
-                    for index, name in enumerate(mesh.keys())
-                    if mesh[index] is not None and (
-                        isinstance(mesh[index], pv.MultiBlock) or mesh[index].n_points)]
+            names, blocks = zip(*_datasets.blocks_of(mesh)) if _leaves(mesh) else ((), ())
+            found = []
+            for index, name in enumerate(_datasets.own_names(names)[0]):
+                leaves = [] if blocks[index] is None else [
+                    pv.wrap(leaf) for _, leaf in _datasets.leaves_of(blocks[index])]
+                leaves = [leaf for leaf in leaves if leaf.n_points]
+                if leaves:
+                    found.append((name, index + 1, leaves[0] if len(leaves) == 1 else
+                                  pv.MultiBlock(leaves)))
+            return found
         source = _source(mesh, surface_cells=options.get("surface_cells", False), notes=[])
         if not source.is_surface:
             raise WindingError("give faces or blocks: points alone have no bodies")

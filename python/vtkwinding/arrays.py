@@ -102,12 +102,13 @@ def surface(vertices: ArrayLike, faces: ArrayLike | None = None, *,
             resolution: int | None = None, dimensions: ArrayLike | None = None,
             spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
             padding: float = 0.05, features: str = "smooth", close_border: bool = False,
-            fill_cavities: bool = False, offset: float = 0, shell: float = 0,
-            shell_side: str = "inward", dtype: DTypeLike | None = None,
+            fill_cavities: bool = False, gap_width: float = 0, offset: float = 0, shell: float = 0,
+            shell_side: str = "inward", mend_source: bool = True, dtype: DTypeLike | None = None,
             **options: Unpack[FieldOptions]) -> tuple[FloatArray, IdArray]:
     """Returns the surface w = threshold of a surface or a cloud: vertices (V, 3) and faces (F, 3).
     Field.surface() says what the arguments are."""
     return _field(vertices, faces, normals, areas, options).surface(
         resolution=resolution, dimensions=dimensions, spacing=spacing, bounds=bounds,
         padding=padding, features=features, close_border=close_border,
-        fill_cavities=fill_cavities, offset=offset, shell=shell, shell_side=shell_side, dtype=dtype)
+        fill_cavities=fill_cavities, gap_width=gap_width, offset=offset, shell=shell,
+        shell_side=shell_side, mend_source=mend_source, dtype=dtype)

@@ -48,14 +48,37 @@ def float_type(dtype: Any) -> np.dtype:
     return found.newbyteorder("=")
 
 
+def _mesh_of(given):
+    """Returns the mesh or cloud of a file's name, of a scene, or of another object."""
+    if isinstance(given, (str, os.PathLike)):
+        return read(given)
+    if hasattr(given, "geometry") and hasattr(given, "dump"):  # a scene of trimesh
+        whole = given.to_mesh() if hasattr(given, "to_mesh") else given.dump(concatenate=True)
+        if not hasattr(whole, "faces") or (given.geometry and not len(whole.faces)):
+            raise TypeError("vertices must be a scene with meshes: give one of its geometries, or "
+                            "their vertices as a cloud")
+        return whole
+    if hasattr(given, "entities") and hasattr(given, "vertices"):  # a path of trimesh
+        raise TypeError(f"vertices must be those of a mesh or a cloud: a {type(given).__name__} "
+                        "has lines and no faces")
+    if hasattr(given, "IsA") and hasattr(given, "GetMTime"):
+        raise TypeError(f"vertices must be an array of numbers, not {type(given).__name__}: meshes "
+                        "of PyVista have mesh.winding")
+    return given
+
+
 def _parts(vertices, faces, normals=None, areas=None):
-    """Returns vertices, faces, normals and areas, which may be attributes of a mesh."""
-    if faces is not None or not hasattr(vertices, "vertices") or not hasattr(vertices, "faces"):
+    """Returns vertices, faces, normals and areas, which may be attributes of a mesh or a cloud."""
+    if faces is not None:
         return vertices, faces, normals, areas
-    if isinstance(vertices, Mesh) and vertices.faces is None:
-        normals = vertices.normals if normals is None else normals
-        areas = vertices.areas if areas is None else areas
-    return vertices.vertices, vertices.faces, normals, areas
+    mesh = _mesh_of(vertices)
+    if not hasattr(mesh, "vertices"):
+        return mesh, None, normals, areas
+    faces = getattr(mesh, "faces", getattr(mesh, "triangles", None))
+    if isinstance(mesh, Mesh) and faces is None:
+        normals = mesh.normals if normals is None else normals
+        areas = mesh.areas if areas is None else areas
+    return mesh.vertices, faces, normals, areas
 
 
 class Sides:
@@ -103,6 +126,17 @@ def find_places(points, polygons, samples, options, *, with_weights=True, thread
     return found
 
 
+def are_viewpoints_of(points, toward):
+    """Returns whether `toward` has a place for each of several points."""
+    return (len(points) > 1 and not isinstance(toward, str)
+            and np.shape(toward) == np.shape(points))
+
+
+def use_of_solids(mend_source):
+    """Returns the use of the field of the library that solids are made of."""
+    return "solids" if mend_source else "grids"
+
+
 _fields: weakref.WeakSet[Field] = weakref.WeakSet()
 
 
@@ -125,7 +159,8 @@ class Field:
     Parameters
     ----------
     vertices : array_like, shape (V, 3)
-        Vertices of a surface or points of a cloud; or a mesh with vertices and faces.
+        Vertices of a surface or points of a cloud; or a mesh or a cloud that has them as
+        attributes, as those of trimesh and Open3D, a scene of trimesh, or the path of a file.
     faces : array_like of int, shape (F, 3), optional
         Triangles of a surface; None for a cloud.
     normals : array_like, shape (V, 3), optional
@@ -153,7 +188,7 @@ class Field:
         for x + y = 3. Its mirror images are added.
     flat_base : str, optional
         Where a flat base closes a surface that is open on one side: 'down', '+x', 'direction x y
-        z', or a plane as 'z=-5'.
+        z', one of these with a distance below the surface as 'down 0.5', or a plane as 'z=-5'.
     sheet_side : str, optional
         The side of open sheets that is inside, as 'down' for what is below a terrain. A half is
         added to w; beyond the rim of the sheet the side is a guess.
@@ -180,6 +215,9 @@ class Field:
     array([ True])
     """
 
+    _lacks_normals = False  # what has no arrays of NumPy leaves that to the library
+    _views = None  # from points to where each was seen from
+
     def __init__(self, vertices: Any, faces: ArrayLike | None = None, *,
                  normals: ArrayLike | None = None, areas: ArrayLike | None = None,
                  method: str = "auto", tolerance: float = 1e-3, threshold: float = 0.5,
@@ -202,9 +240,8 @@ class Field:
             self._corners = self._kept(corners)
         self._vertices = self._kept(points)
         count = len(points)
-        if faces is None and normals is None and not estimate_normals and count:
-            raise ValueError(
-                "give faces of a surface, or normals of a cloud, or estimate_normals=True")
+        self._lacks_normals = (
+            faces is None and normals is None and not estimate_normals and count > 0)
         for name, given in (("normals", normals), ("areas", areas)):
             if given is not None and faces is not None and not as_points:
                 raise ValueError(
@@ -233,6 +270,12 @@ class Field:
                 weld_tolerance, estimate_normals, normal_estimation, toward, n_neighbors,
                 point_area, regularization):
         """Checks and sets all that is no array."""
+        if self._corners is None and are_viewpoints_of(self._vertices, toward):
+            self._views = _numbers.vectors("toward", toward) - self._vertices
+            toward = None
+        is_seen = self._views is not None and self._normals is None
+        if is_seen:
+            self._normals = self._views
         self._options = {
             "method": _options.choice("method", method, _options.METHODS),
             "tolerance": _options.number("tolerance", tolerance, 0),
@@ -243,6 +286,7 @@ class Field:
             "normal_estimation": _options.choice(
                 "normal_estimation", normal_estimation, _options.NORMAL_ESTIMATIONS),
             "toward": _options.viewpoints(toward),
+            "look_at_viewpoints": is_seen,
             "orient_faces": _options.flag("orient_faces", orient_faces),
             "ignore_open_parts": _options.flag("ignore_open_parts", ignore_open_parts),
             "mirror": _options.words("mirror", mirror),
@@ -255,9 +299,14 @@ class Field:
         self._sides()  # checks them
         self._begin()
 
+    def as_one_of_several(self):
+        """Returns the field, which leaves warnings of options without a use to what it goes to."""
+        self._options["is_one_of_several"] = True
+        return self
+
     def _begin(self):
         """Begins without a field of the library."""
-        self._handles: dict[bool, _library.Handle] = {}
+        self._handles: dict[str, _library.Handle] = {}
         self._lock = threading.RLock()  # what shows a warning may ask the field
         _fields.add(self)
 
@@ -278,16 +327,21 @@ class Field:
         return Sides(self._threshold if threshold is None else threshold,
                       self._rule if rule is None else rule, self._n_threads, self._longest)
 
-    def _handle(self, scattered):
-        """Returns the field of the library for points, or for grids."""
+    def _handle(self, use):
+        """Returns the field of the library for "points", "grids" or "solids"."""
         with self._lock:
-            if scattered not in self._handles:
+            if use not in self._handles:
+                mends = use == "solids"
+                if self._lacks_normals and not mends:
+                    raise ValueError(
+                        "give faces of a surface, or normals of a cloud, or estimate_normals=True")
                 handle = _library.Handle("winding_field_free")
-                options = _library.Options(scattered=scattered, **self._options)
+                options = _library.Options(
+                    scattered=use == "points", mend_source=mends, **self._options)
                 rest = [ctypes.byref(options), _library.RUN, ctypes.byref(handle.pointer)]
                 points = _library.array_of(self._vertices)
                 run = {"threads": self._sides().run["threads"]}
-                if self._handles:
+                if not mends and self._handles.keys() - {"solids"}:
                     run["note"] = lambda text: None  # the first one has said it
                 if self._corners is not None and self._normals is None and self._areas is None:
                     polygons = _library.polygons_of(self._corners, self._offsets)
@@ -295,24 +349,29 @@ class Field:
                 else:
                     _library.call("winding_points", points, _library.array_of(self._normals),
                                   _library.array_of(self._areas), *rest, **run)
-                self._handles[scattered] = handle
-            return self._handles[scattered].pointer
+                self._handles[use] = handle
+            return self._handles[use].pointer
 
-    def _info(self):
+    def as_solid(self, mend_source):
+        """Returns the field, built as solids need it, so that its bounds take no other."""
+        self._handle(use_of_solids(mend_source))
+        return self
+
+    def _info(self, use="grids"):
         info = _library.FieldInfo()
-        _library.call("winding_describe", self._handle(False), ctypes.byref(info))
+        _library.call("winding_describe", self._handle(use), ctypes.byref(info))
         return info
 
     def _measured(self):
         area, volume = ctypes.c_double(), ctypes.c_double()
-        _library.call("winding_measure", self._handle(False), ctypes.byref(area),
+        _library.call("winding_measure", self._handle("grids"), ctypes.byref(area),
                       ctypes.byref(volume))
         return area.value, volume.value
 
     @property
     def bounds(self) -> FloatArray:
         """Least and largest x, y and z of what w is the sum over: (6,) floats, or NaN for none."""
-        return np.array(self._info().bounds)
+        return np.array(self._info(next(iter(self._handles), "grids")).bounds)
 
     @property
     def area(self) -> float:
@@ -330,11 +389,11 @@ class Field:
         info = self._info()
         return bool(info.is_surface) and info.net_boundary_edges == 0 and info.primitives > 0
 
-    def _at(self, places, kinds, sides, show=None):
+    def _at(self, places, kinds, sides, show=None, use="points"):
         """Returns the values of some kinds at points: arrays by their names in the library."""
         values, arrays = _values_of((len(places),), kinds)
         if len(places):
-            _library.call("winding_evaluate_points", self._handle(True), _library.array_of(places),
+            _library.call("winding_evaluate_points", self._handle(use), _library.array_of(places),
                           ctypes.byref(sides.rule), ctypes.byref(values), _library.RUN, show=show,
                           **sides.run)
         return arrays
@@ -381,7 +440,7 @@ class Field:
     def _fractions(self, points, types, corners, offsets, sides, show=None):
         fractions = np.empty(len(types), np.float32)
         cells = _library.cells_of(types, corners, offsets)
-        _library.call("winding_cell_fractions", self._handle(True), _library.array_of(points),
+        _library.call("winding_cell_fractions", self._handle("points"), _library.array_of(points),
                       ctypes.byref(cells), ctypes.byref(sides.rule),
                       ctypes.c_void_p(fractions.ctypes.data), _library.RUN, show=show, **sides.run)
         return fractions
@@ -416,18 +475,21 @@ class Field:
         return self._fractions(places, kinds.astype(np.uint8), ids.astype(np.int64), starts,
                                self._sides())
 
-    def _grid(self, reach=0, **wishes):
-        """Returns the grid of the library for wishes, over the source and its reach."""
+    def _grid(self, reach=0, solids=(), mend_source=False, **wishes):
+        """Returns the grid of the library for wishes, over the source and its reach, as grid_of()
+        does."""
         def bounds():
             found = self.bounds
             return [0, 1] * 3 if np.isnan(found).any() else _grids.grown(found.tolist(), reach)
 
-        return grid_of(_grids.Plan(bounds, **wishes), bounds)
+        return grid_of(_grids.Plan(bounds, **wishes), bounds, solids, mend_source)
 
-    def _on_grid(self, grid, kinds, sides, show=None, **settings):
+    def _on_grid(self, grid, kinds, sides, show=None, mend_source=False, **settings):
         """Returns the values of some kinds on a grid: arrays by their names in the library."""
-        values, arrays = _values_of(tuple(grid.dimensions), kinds, **settings)
-        _library.call("winding_evaluate_grid", self._handle(False), ctypes.byref(grid), None,
+        values, arrays = _values_of(
+            tuple(grid.dimensions), kinds, mend_source=mend_source, **settings)
+        handle = self._handle(use_of_solids(mend_source))
+        _library.call("winding_evaluate_grid", handle, ctypes.byref(grid), None,
                       ctypes.byref(sides.rule), ctypes.byref(values), _library.RUN, show=show,
                       **sides.run)
         return arrays
@@ -437,7 +499,7 @@ class Field:
               padding: float = 0.05, dtype: DTypeLike = np.float32) -> Grid:
         """Returns the winding number on a grid: a Grid.
 
-        resolution is the number of cubic voxels along the longest side (64 where nothing is said),
+        resolution is the number of cubic voxels along the longest side (128 where nothing is said),
         dimensions that along each axis, spacing the side of the voxels, one number or three. The
         grid lies over the bounds of the source with a padding, a fraction of their longest side, or
         over bounds (xmin, xmax, ymin, ymax, zmin, zmax), which are the outer faces of the voxels.
@@ -450,25 +512,29 @@ class Field:
 
     def mask(self, *, resolution: int | None = None, dimensions: ArrayLike | None = None,
              spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
-             padding: float = 0.05, coverage: str = "center", threshold: float | None = None,
-             rule: str | None = None) -> Grid:
+             padding: float = 0.05, coverage: str = "center", mend_source: bool = True,
+             threshold: float | None = None, rule: str | None = None) -> Grid:
         """Returns the voxels of a grid that are inside: a Grid of bools. The grid is laid out as in
         field().
 
         coverage: 'center' for voxels whose centre is inside, 'any' for voxels with any part inside,
-        or that the source touches."""
+        or that the source touches. mend_source: as in surface()."""
         sides = self._sides(threshold, rule)
         number = _options.choice("coverage", coverage, {"center": 0, "any": 1})
-        grid = self._grid(resolution=resolution, dimensions=dimensions, spacing=spacing,
-                          bounds=bounds, padding=padding)
-        found = self._on_grid(grid, {"inside": np.dtype("u1")}, sides, coverage=number)
+        mend_source = _options.flag("mend_source", mend_source)
+        grid = self.as_solid(mend_source)._grid(
+            resolution=resolution, dimensions=dimensions, spacing=spacing, bounds=bounds,
+            padding=padding)
+        found = self._on_grid(
+            grid, {"inside": np.dtype("u1")}, sides, mend_source=mend_source, coverage=number)
         return _on(grid, found["inside"].view(np.bool_))
 
     def surface(self, *, resolution: int | None = None, dimensions: ArrayLike | None = None,
                 spacing: ArrayLike | None = None, bounds: ArrayLike | None = None,
                 padding: float = 0.05, features: str = "smooth", close_border: bool = False,
-                fill_cavities: bool = False, offset: float = 0, shell: float = 0,
-                shell_side: str = "inward", dtype: DTypeLike | None = None,
+                fill_cavities: bool = False, gap_width: float = 0, offset: float = 0,
+                shell: float = 0, shell_side: str = "inward", mend_source: bool = True,
+                dtype: DTypeLike | None = None,
                 threshold: float | None = None, rule: str | None = None
                 ) -> tuple[FloatArray, IdArray]:
         """Returns the surface w = threshold: vertices (V, 3) and faces (F, 3).
@@ -477,31 +543,43 @@ class Field:
         corners; or 'voxels', the sides of voxels. The vertices have the given dtype: float32,
         float64, or None for float64 only where float32 could not tell places apart.
 
-        fill_cavities makes inside what the outside does not reach. offset is the length by which
-        the surface moves outward, inward if negative. shell is the thickness of the shell that
+        fill_cavities makes inside what the outside does not reach, and openings as wide as
+        gap_width do not let it into cavities then. offset is the length by which the surface moves
+        outward, inward if negative. shell is the thickness of the shell that
         replaces the solid, 0 for none; shell_side is 'inward', 'outward' or 'centered', which
         thickens an open surface as a sheet.
+
+        mend_source makes a solid of the source where a warning would say that it bounds nothing:
+        faces or normals that look inward or contradict each other are turned, points without
+        normals get some, open sheets become plates of three voxels, and the surface is closed at
+        the border of the grid. A warning says what was done.
         """
-        shape, reach = _options.shape(fill_cavities, offset, shell, shell_side)
+        shape, reach = _options.shape(fill_cavities, gap_width, offset, shell, shell_side)
         sides = self._sides(threshold, rule)
         features = _options.choice("features", features, _options.FEATURES)
         close_border = _options.flag("close_border", close_border)
+        mend_source = _options.flag("mend_source", mend_source)
         kind = 0 if dtype is None else _library.TYPES[float_type(dtype)]
-        grid = self._grid(reach, resolution=resolution, dimensions=dimensions, spacing=spacing,
-                          bounds=bounds, padding=padding)
+        grid = self.as_solid(mend_source)._grid(
+            reach, [(self, sides)], mend_source, resolution=resolution, dimensions=dimensions,
+            spacing=spacing, bounds=bounds, padding=padding)
         arrays = self._level_surface(
-            grid, sides, features=features, close_border=close_border, type=kind, **shape)
+            grid, sides, features=features, close_border=close_border, mend_source=mend_source,
+            type=kind, **shape)
         if arrays["points"] is None:
             return (np.empty((0, 3), np.float32 if dtype is None else dtype),
                     np.empty((0, 3), np.int64))
         return arrays["points"], arrays["corners"].reshape(-1, 3)
 
-    def _level_surface(self, grid, sides, *, show=None, generate_normals=0, **settings):
+    def _level_surface(self, grid, sides, *, mend_source, show=None, generate_normals=0,
+                       **settings):
         """Returns the arrays of the surface as triangles."""
         options = _library.SurfaceOptions(
-            generate_triangles=1, generate_normals=generate_normals, **settings)
+            generate_triangles=1, generate_normals=generate_normals, mend_source=mend_source,
+            **settings)
         mesh = _library.Handle("winding_mesh_free")
-        _library.call("winding_level_surface", self._handle(False), ctypes.byref(grid),
+        handle = self._handle(use_of_solids(mend_source))
+        _library.call("winding_level_surface", handle, ctypes.byref(grid),
                       ctypes.byref(sides.rule), ctypes.byref(options), _library.RUN,
                       ctypes.byref(mesh.pointer), show=show, **sides.run)
         return _library.arrays_of(mesh)
@@ -533,8 +611,9 @@ def _empty(shape, dtype):
                            f"the grid has {voxels}") from error
 
 
-def grid_of(plan, source_bounds):
-    """Returns the grid of the library for a Plan."""
+def grid_of(plan, source_bounds, solids=(), mend_source=False):
+    """Returns the grid of the library for a Plan. Without a number of voxels, walls of solids,
+    which are fields and Sides, ask for one."""
     request = _library.GridRequest()
     bounds = plan.bounds
     if bounds is None:
@@ -544,6 +623,10 @@ def grid_of(plan, source_bounds):
     request.sampling_bounds = (ctypes.c_double * 6)(*bounds)
     if plan.resolution is not None:
         request.resolution = plan.resolution
+    elif plan.bounds is None and plan.voxel_size is plan.dimensions is None:
+        request.resolution = max(
+            (_wall_resolution(field, request, sides, mend_source) for field, sides in solids),
+            default=request.resolution)
     if plan.voxel_size is not None:
         request.voxel_size = plan.voxel_size
     if plan.dimensions is not None:
@@ -554,19 +637,27 @@ def grid_of(plan, source_bounds):
     return grid
 
 
+def _wall_resolution(field, request, sides, mend_source):
+    found = ctypes.c_int32()
+    _library.call("winding_wall_resolution", field._handle(use_of_solids(mend_source)),
+                  ctypes.byref(request), ctypes.byref(sides.rule), ctypes.c_int32(mend_source),
+                  _library.RUN, ctypes.byref(found), None, ctypes.c_size_t(0), **sides.run)
+    return found.value
+
+
 def labels(fields: list[Field], *, resolution: int | None = None,
            dimensions: ArrayLike | None = None, spacing: ArrayLike | None = None,
            bounds: ArrayLike | None = None, padding: float = 0.05, overlap: str = "first",
-           coverage: str = "center", threshold: float = 0.5, rule: str = "signed",
-           n_threads: int | None = None) -> Grid:
+           coverage: str = "center", mend_source: bool = True, threshold: float = 0.5,
+           rule: str = "signed", n_threads: int | None = None) -> Grid:
     """Returns labels of several solids on one grid: a Grid of uint16, 1, 2, ... in the order of
     the fields, and 0 outside of all. threshold and rule are for all of them; the fields' own do
     not count.
 
     overlap says which of several solids gives its label: 'first', 'last', 'largest' (winding
     number) or 'smallest' (volume). coverage: 'center' for voxels whose centre is in a solid, 'any'
-    for voxels that it touches, 'fraction' for voxels with half of them in it. The grid is laid out
-    as in Field.field(), over all fields.
+    for voxels that it touches, 'fraction' for voxels with half of them in it. mend_source: as in
+    Field.surface(), for each. The grid is laid out as in Field.field(), over all fields.
     """
     if isinstance(fields, Field):
         raise TypeError("fields must be a list of Field, not a Field")
@@ -577,15 +668,16 @@ def labels(fields: list[Field], *, resolution: int | None = None,
         raise TypeError("fields must be a list of Field")
     number = _options.choice("overlap", overlap, _options.OVERLAPS)
     covers = _options.choice("coverage", coverage, _options.COVERAGES)
+    mend_source = _options.flag("mend_source", mend_source)
     sides = Sides(threshold, rule, n_threads, 0)
 
     def box():
-        found = box_of(fields)
+        found = box_of([field.as_solid(mend_source) for field in fields])
         return [0, 1] * 3 if found is None else found
 
     grid = grid_of(_grids.Plan(box, resolution=resolution, dimensions=dimensions, spacing=spacing,
                                bounds=bounds, padding=padding), box)
-    return _on(grid, label(fields, grid, sides, number, covers))
+    return _on(grid, label(fields, grid, sides, number, covers, mend_source=mend_source))
 
 
 def box_of(fields):
@@ -598,15 +690,17 @@ def box_of(fields):
     return np.stack([low, high], 1).ravel().tolist()
 
 
-def label(fields, grid, sides, overlap, coverage, *, numbers=None, names=None,
+def label(fields, grid, sides, overlap, coverage, *, mend_source, numbers=None, names=None,
           have_one_unit=False, show=None):
     """Returns labels of fields at the samples of a grid of the library, by numbers for the
     choices. The labels are 1, 2, ... unless they are given. Units are compared unless the fields
     have one."""
     found = _empty(tuple(grid.dimensions), np.uint16)
-    handles = (ctypes.c_void_p * len(fields))(*(field._handle(False).value for field in fields))
-    options = _library.LabelOptions(overlap_rule=overlap, coverage=coverage,
-                                    have_one_unit=have_one_unit)
+    use = use_of_solids(mend_source)
+    handles = (ctypes.c_void_p * len(fields))(*(field._handle(use).value for field in fields))
+    options = _library.LabelOptions(
+        overlap_rule=overlap, coverage=coverage, have_one_unit=have_one_unit,
+        mend_source=mend_source)
     arrays = _library.Labels(labels=found.ctypes.data)
     if names is not None:
         texts = (ctypes.c_char_p * len(names))(*(str(name).encode() for name in names))
@@ -718,13 +812,17 @@ def estimate_normals(vertices: ArrayLike, *, normal_estimation: str = "auto",
                      toward: str | ArrayLike | None = None,
                      n_neighbors: int = 20) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
     """Returns outward unit normals (V, 3) and areas (V,) of a cloud; toward as for Field."""
-    points = _numbers.vectors("vertices", vertices)
+    points = _numbers.vectors("vertices", _parts(vertices, None)[0])
+    normals, areas = np.empty((len(points), 3), np.float32), np.empty(len(points))
+    is_seen = are_viewpoints_of(points, toward)
+    if is_seen:
+        normals[:], toward = _numbers.vectors("toward", toward) - points, None
     options = _library.Options(
+        look_at_viewpoints=is_seen,
         number_of_neighbors=_options.integer("n_neighbors", n_neighbors, 3, 1000),
         normal_estimation=_options.choice(
             "normal_estimation", normal_estimation, _options.NORMAL_ESTIMATIONS),
         toward=_options.viewpoints(toward))
-    normals, areas = np.empty((len(points), 3), np.float32), np.empty(len(points))
     _library.call("winding_estimate_normals", _library.array_of(points), ctypes.byref(options),
                   _library.RUN, ctypes.c_void_p(normals.ctypes.data),
                   ctypes.c_void_p(areas.ctypes.data), None)
@@ -734,7 +832,7 @@ def estimate_normals(vertices: ArrayLike, *, normal_estimation: str = "auto",
 def point_areas(vertices: ArrayLike, normals: ArrayLike, *,
                 n_neighbors: int = 20) -> NDArray[np.float64]:
     """Returns the areas (V,) that the points of a cloud with normals (V, 3) stand for."""
-    points = _numbers.vectors("vertices", vertices)
+    points = _numbers.vectors("vertices", _parts(vertices, None)[0])
     directions = _numbers.vectors("normals", normals)
     if len(directions) != len(points):
         raise ValueError(f"normals must have the shape ({len(points)}, 3), not {directions.shape}")

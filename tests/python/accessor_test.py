@@ -239,7 +239,7 @@ class AccessorTest(Warned):
                 ("implicit_distance", mesh.winding.signed_distance(ball())),
                 ("WindingNumber", ball().winding.field(resolution=6, inside=True)),
                 ("DistanceToInput",
-                 ball().winding.surface(resolution=12, distance_to_input=True))):
+                 ball().winding.surface(resolution=16, distance_to_input=True))):
             self.assertEqual(made.active_scalars_name, name)
         self.assertEqual(mesh.active_scalars_name, "old")
 
@@ -301,11 +301,14 @@ class AccessorTest(Warned):
         solid = scan().winding.surface(resolution=32)
         self.assertIsInstance(solid, pv.PolyData)
         self.assertEqual(solid.n_open_edges, 0)
-        self.assertEqual(solid.array_names, ["Normals"])
-        bare = ball().winding.surface(resolution=12, compute_normals=False)
-        self.assertEqual(bare.array_names, [])
+        self.assertEqual(solid.point_data.keys() + solid.cell_data.keys(), ["Normals"])
+        bare = ball().winding.surface(resolution=16, compute_normals=False)
+        self.assertEqual(bare.point_data.keys() + bare.cell_data.keys(), [])
         with self.assertWarnsRegex(vtkwinding.WindingWarning, r"is open: .* \(close_border=True\)"):
-            self.assertGreater(ball().winding.surface(resolution=8).n_open_edges, 0)
+            self.assertGreater(ball().winding.surface(
+                resolution=8, padding=0, mend_source=False).n_open_edges, 0)
+        with self.assertWarnsRegex(vtkwinding.WindingWarning, r"closed there: .*mend_source=False"):
+            self.assertEqual(ball().winding.surface(resolution=8, padding=0).n_open_edges, 0)
         half = ball().winding.surface(spacing=0.05, bounds=(-0.6, 0, -0.6, 0.6, -0.6, 0.6),
                                       close_border=True)
         self.assertAlmostEqual(half.volume / ball().volume, 0.5, 1)  # 0.49
@@ -328,6 +331,10 @@ class AccessorTest(Warned):
         solid = made(hollow, fill_cavities=True)
         self.assertAlmostEqual(solid.volume, 1, delta=1e-5)
         self.assertEqual(list(solid.field_data["FilledCavities"]), [1])
+        self.assertEqual(list(solid.field_data["Closed"]), [True])
+        self.assertEqual(list(solid.field_data["Parts"]), [1])
+        self.assertAlmostEqual(solid.field_data["Volume"][0], solid.volume, 4)
+        self.assertGreater(solid.field_data["Volume"][0], solid.field_data["InputVolume"][0])
         sheet = pv.Plane(i_resolution=2, j_resolution=2).triangulate().winding.surface(
             resolution=40, shell=0.2, shell_side="centered")
         self.assertEqual(sheet.n_open_edges, 0)
@@ -645,11 +652,56 @@ class AccessorTest(Warned):
             first, second = ((image["Label"] == label).sum() for label in (1, 2))
             self.assertEqual(image.n_points - first - second, (image["Label"] == 0).sum())
             self.assertAlmostEqual(first * 0.1**3 / ball().volume, 1, delta=0.1)  # 0.94
+            np.testing.assert_allclose(
+                image.field_data["LabelVolumes"], np.array([first, second]) * 0.1**3)
             self.assertAlmostEqual(second / first, 1, delta=0.1)
         image = blocks.winding.labels(resolution=16)
         self.assertEqual(np.sign(image.points[image["Label"] == 2][:, 0] - 1).min(), 1)
         with self.assertRaisesRegex(vtkwinding.WindingError, "points alone have no bodies"):
             pv.PolyData(ball().points).winding.labels()
+
+    def test_labels_of_blocks_in_blocks_are_those_of_leaves(self):
+        def at(x):
+            return ball().translate((x, 0, 0))
+
+        inner = pv.MultiBlock({"cube": at(2), "ball": at(4)})
+        image = pv.MultiBlock({"ball": ball(), "none": None, "in": inner}).winding.labels(
+            spacing=0.1)
+        self.assertEqual(list(image.field_data["LabelNames"]), ["ball", "cube", "ball (2)"])
+        self.assertEqual(list(image.field_data["LabelValues"]), [1, 3, 4])
+        self.assertEqual(np.unique(image["Label"]).tolist(), [0, 1, 3, 4])
+
+    def test_points_know_where_they_were_seen_from(self):
+        cloud = pv.PolyData(ball().points)
+        middle = pv.PolyData([[0.0, 0, 0]])
+        for scale, expected in ((3, 1), (0.1, -1), (3, 1)):
+            found = middle.winding.sample(cloud, estimate_normals=True, rule="absolute",
+                                          toward=scale * np.array(cloud.points))
+            self.assertAlmostEqual(found["WindingNumber"][0], expected, delta=0.05)
+        cloud["Viewpoints"] = 0.1 * np.array(cloud.points)
+        found = middle.winding.sample(cloud, estimate_normals=True, rule="absolute")
+        self.assertAlmostEqual(found["WindingNumber"][0], -1, delta=0.05)
+        found = middle.winding.sample(cloud, estimate_normals=True, toward=(9, 9, 9))
+        self.assertNotEqual(found["WindingNumber"][0], -1)
+        areas = cloud.winding.estimate_areas(estimate_normals=True)
+        self.assertLess((areas["Normals"] * cloud.points).sum(axis=1).max(), 0)
+
+    def test_partitions_are_one_data_set(self):
+        halves = [ball().extract_cells(cells).extract_surface(algorithm="dataset_surface")
+                  for cells in (range(400), range(400, ball().n_cells))]
+        whole = pv.PartitionedDataSet(halves)
+        image = whole.winding.labels(spacing=0.1)
+        self.assertEqual(list(image.field_data["LabelNames"]), ["Block 1"])
+        np.testing.assert_array_equal(image["Label"], ball().winding.labels(spacing=0.1)["Label"])
+        self.assertEqual(whole.winding.report()["closed"], 1)
+        places = pv.PartitionedDataSet([grid(4), grid(5)])
+        found = places.winding.sample(whole)
+        self.assertEqual([block.n_points for block in found], [64, 125])
+        self.assertEqual(found[0].active_scalars_name, "WindingNumber")
+        self.assertEqual(whole.winding.voxelize_binary_mask(dimensions=(5, 5, 5))["mask"].sum(),
+                         ball().winding.voxelize_binary_mask(dimensions=(5, 5, 5))["mask"].sum())
+        self.assertGreater(whole.winding.boolean_union(ball().translate((0.2, 0, 0)),
+                                                       resolution=20).volume, ball().volume)
 
     def test_labels_are_named_by_the_file(self):
         with tempfile.TemporaryDirectory() as folder:

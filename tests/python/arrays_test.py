@@ -148,9 +148,9 @@ class ValuesTest(unittest.TestCase):
         flat = field(CORNERS[:4] * [1, 1, 0], [[0, 1, 2]], spacing=(0.1, 0.2, 0.25), padding=0.5)
         self.assertEqual(flat.values.shape, (20, 10, 4))  # the margin of the longest side along z
         grid = field(CORNERS, CUBE, spacing=(0.3, 0.3, 0.25), padding=0.1)
-        self.assertEqual(grid.values.shape, (4, 4, 5))
+        self.assertEqual(grid.values.shape, (6, 6, 6))  # with a voxel as margin
         np.testing.assert_allclose(grid.spacing, [0.3, 0.3, 0.25])
-        np.testing.assert_allclose(grid.origin + grid.spacing * 1.5, [0.5, 0.5, 0.425], atol=0.1)
+        np.testing.assert_allclose(grid.origin + grid.spacing * 2.5, 0.5, atol=1e-12)
         # Each axis has a margin of its own length, as grids by dimensions have.
         slab = np.array(CORNERS) * (4, 2, 1)
         for options in ({"spacing": (0.5, 0.3, 0.1)}, {"dimensions": (12, 10, 15)}):

@@ -146,6 +146,51 @@ class AttributesTest(unittest.TestCase):
         self.assertEqual(len(notes), 1)
         self.assertIn("Height is not taken over", notes[0])
 
+    def test_colors_are_taken_where_only_some_blocks_have_them(self):
+        for of_cells in (False, True):
+            for colored in (0, 1):
+                parts = [sphere(), sphere(1.7)]
+                scan = parts[colored]
+                count = scan.GetNumberOfCells() if of_cells else scan.GetNumberOfPoints()
+                add(scan.GetCellData() if of_cells else scan.GetPointData(), "RGB",
+                    np.tile(np.uint8([200, 10, 20]), (count, 1)))
+                notes = []
+                made, expected = filtered(blocks(*parts), 0), filtered(blocks(*parts), 1)
+                _attributes.Attributes(blocks(*parts), {}, transfer=True, numbers=True,
+                                       note=notes.append).add_to(made)
+                self.assertEqual(notes, ["some inputs have no colors: give all colors; "
+                                         "RGB is white there"])
+                for result in (made, expected):
+                    data = result.GetCellData() if of_cells else result.GetPointData()
+                    colors = vtk_to_numpy(data.GetArray("RGB"))
+                    are_of_scan = vtk_to_numpy(data.GetArray("NearestBlock")) == 2 * colored + 1
+                    np.testing.assert_array_equal(colors[are_of_scan][:, 1], 10)
+                    np.testing.assert_array_equal(colors[~are_of_scan], 255)
+
+    def test_colors_are_opaque_where_only_others_have_an_opacity(self):
+        for first in (3, 4):
+            parts = [sphere(), sphere(1.7)]
+            for part, components in zip(parts, (first, 7 - first)):
+                values = np.full((part.GetNumberOfPoints(), components), 10 * components, np.uint8)
+                add(part.GetPointData(), "RGB" if components == 3 else "RGBA", values)
+            notes = []
+            made, expected = filtered(blocks(*parts), 0), filtered(blocks(*parts), 1)
+            _attributes.Attributes(blocks(*parts), {}, transfer=True, numbers=True,
+                                   note=notes.append).add_to(made)
+            self.assertEqual(notes, [])
+            found, wanted = arrays_of(made.GetPointData()), arrays_of(expected.GetPointData())
+            self.assertEqual(found.keys(), wanted.keys())
+            np.testing.assert_array_equal(found["RGBA"], wanted["RGBA"])
+            self.assertEqual(np.unique(found["RGBA"], axis=0).tolist(),
+                             [[30, 30, 30, 255], [40, 40, 40, 40]])
+
+    def test_arrays_that_are_not_there_are_said_to_be_none(self):
+        notes = []
+        _attributes.Attributes(sphere(), {}, transfer=True, numbers=False,
+                               note=notes.append).add_to(filtered(sphere(), 0))
+        self.assertEqual(notes, ["the input has no arrays to be taken over: give one with colors "
+                                 "or others"])
+
     def test_arrays_whose_names_the_result_has_are_named(self):
         data = decorated(sphere())
         data.GetCellData().GetArray("Cell").SetName("NearestCell")

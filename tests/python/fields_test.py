@@ -56,14 +56,95 @@ class FieldTest(unittest.TestCase):
         self.assertFalse(Field(CORNERS, CUBE[2:]).is_closed)
         self.assertFalse(Field(SPHERE, normals=SPHERE).is_closed)
 
+    def test_makes_solids_of_what_bounds_nothing(self):
+        half = np.concatenate([CUBE[:6, ::-1], CUBE[6:]])
+        for faces in (CUBE[:, ::-1], half, np.concatenate([CUBE, CUBE])):
+            field = Field(CORNERS, faces)
+            with self.assertWarnsRegex(vtkwinding.WindingWarning, "mend_source=False"):
+                vertices, triangles = field.surface(resolution=30)
+            self.assertAlmostEqual(Field(vertices, triangles).volume, 1, delta=0.02)
+            with warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always")
+                mask = field.mask(resolution=20).values
+                labels = vtkwinding.labels([field], resolution=20).values
+                union = vtkwinding.boolean([field, field], resolution=20)
+            self.assertGreater(mask.sum(), 18 ** 3 - 1)
+            np.testing.assert_array_equal(labels, mask)
+            self.assertAlmostEqual(Field(*union).volume, 1, delta=0.02)
+            self.assertTrue(all("mend_source=False" in str(one.message) for one in told))
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                self.assertNotEqual(field.winding_number([[0.5, 0.5, 0.4]])[0], 1)
+
+    def test_estimates_normals_where_solids_come_out(self):
+        field = Field(SPHERE)
+        with self.assertWarnsRegex(vtkwinding.WindingWarning, "normals were estimated"):
+            vertices, triangles = field.surface(resolution=30)
+        self.assertAlmostEqual(Field(vertices, triangles).volume, 4.19, delta=0.1)
+        for ask in (field.field, lambda: field.contains(POINTS),
+                    lambda: field.surface(mend_source=False)):
+            with self.assertRaisesRegex(ValueError, "estimate_normals=True"):
+                ask()
+
+    def test_takes_what_others_have(self):
+        class Mesh:
+            vertices, faces = CORNERS, CUBE
+
+        class Triangles:  # as Open3D calls them
+            vertices, triangles = CORNERS, CUBE
+
+        class Cloud:
+            vertices = SPHERE
+
+        class Path:
+            vertices, entities = CORNERS, []
+
+        class Scene:
+            def __init__(self, *meshes):
+                self.geometry = dict(enumerate(meshes))
+
+            def dump(self, concatenate):
+                return self.geometry[0] if self.geometry else []
+
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "cube.off")
+            path.write_text("OFF\n8 12 0\n" + "".join(
+                " ".join(map(str, row)) + "\n" for row in [*CORNERS.tolist(), *(
+                    [3, *corners] for corners in CUBE.tolist())]))
+            for source in (Mesh(), Triangles(), Scene(Mesh()), path, str(path)):
+                np.testing.assert_array_equal(Field(source).contains(POINTS), [True, False])
+                self.assertEqual(vtkwinding.report(source)["closed"], 1)
+        self.assertEqual(len(vtkwinding.estimate_normals(Cloud())[0]), len(SPHERE))
+        self.assertTrue(Field(Cloud(), estimate_normals=True).contains([[0, 0, 0]])[0])
+        for source, says in ((Cloud(), "estimate_normals=True"), (Path(), "Path has lines"),
+                             (Scene(), "scene with meshes"), (Scene(Cloud()), "scene with meshes"),
+                             (object(), "array of numbers, not object")):
+            with self.assertRaisesRegex((TypeError, ValueError), says):
+                Field(source).contains(POINTS)
+
+    def test_points_know_where_they_were_seen_from(self):
+        for scale, rule, expected in ((3, "signed", 1), (0.5, "absolute", -1)):
+            field = Field(SPHERE, estimate_normals=True, toward=scale * SPHERE, rule=rule)
+            self.assertAlmostEqual(field.winding_number([[0, 0, 0]])[0], expected, delta=0.02)
+            normals, _ = vtkwinding.estimate_normals(SPHERE, toward=scale * SPHERE)
+            self.assertGreater(expected * (normals * SPHERE).sum(axis=1).min(), 0.9)
+        with self.assertRaisesRegex(ValueError, "estimate_normals=True"):
+            Field(SPHERE, toward=3 * SPHERE).contains(POINTS)
+
+    def test_sheets_of_points(self):
+        hills = SPHERE[SPHERE[:, 2] > 0.8] - [0, 0, 0.9]
+        field = Field(hills, estimate_normals=True, toward="up", sheet_side="down")
+        np.testing.assert_array_equal(
+            field.contains([[0, 0, -0.1], [0.1, 0, 0.3]]), [True, False])
+
     def test_other_thresholds_build_nothing(self):
         field = Field(CORNERS, CUBE[:, ::-1])
         with self.assertWarnsRegex(vtkwinding.WindingWarning, "look inward"):
             self.assertFalse(field.contains(POINTS)[0])
-        handle = field._handles[True]
+        handle = field._handles["points"]
         self.assertTrue(field.contains(POINTS, rule="absolute")[0])
         self.assertFalse(Field(CORNERS, CUBE).contains(POINTS, threshold=1.5)[0])
-        self.assertIs(field._handles[True], handle)
+        self.assertIs(field._handles["points"], handle)
 
     def test_gradients(self):
         field = Field(CORNERS, CUBE[2:])

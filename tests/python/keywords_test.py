@@ -40,7 +40,8 @@ VALUES = {
     "association": "cell", "threshold": 0.37, "rule": "odd", "inside_out": True, "coverage": "any",
     "inside": True, "signed_distance": True, "fraction": True, "distance_band": 1.75,
     "dtype": np.float64, "features": "sharp", "close_border": True, "fill_cavities": True,
-    "offset": 0.083, "shell": 0.071, "shell_side": "centered", "compute_normals": False,
+    "gap_width": 0.043, "offset": 0.083, "shell": 0.071, "shell_side": "centered",
+    "compute_normals": False, "mend_source": False,
     "distance_to_input": True, "transfer_attributes": True, "nearest_cells": True,
     "overlap": "last", "columns": {"x": "b", "y": "a", "z": "c"}}
 # Keywords of another meaning, or that choose among functions of the library.

@@ -11,9 +11,15 @@ import unittest
 import numpy as np
 from vtkmodules import vtkFiltersCore
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import (
+    vtkCompositeDataSet,
+    vtkMultiBlockDataSet,
+    vtkPartitionedDataSet,
+    vtkPartitionedDataSetCollection,
+)
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
+from vtkwinding import _datasets
 from vtkwinding_native.vtkFiltersWinding import (
     vtkWindingNumberField,
     vtkWindingNumberLabels,
@@ -68,6 +74,24 @@ def open_edges(surface, label):
 class LabelsTest(unittest.TestCase):
     def setUp(self):
         self.labels = labels_of(assembly())
+
+    def test_python_finds_the_same_solids(self):
+        nested, whole = vtkMultiBlockDataSet(), vtkPartitionedDataSet()
+        nested.SetBlock(0, ball(0.2, 0.3))
+        nested.SetBlock(1, assembly())
+        nested.SetBlock(3, assembly())
+        collection = vtkPartitionedDataSetCollection()
+        for number, place in enumerate(BALLS.values()):
+            whole.SetPartition(number, ball(*place))
+            collection.SetPartition(number // 2, number, ball(*place))
+        for data, count in ((assembly(), 3), (nested, 8), (whole, 1), (collection, 2)):
+            labels = labels_of(data)
+            labels.Update()
+            names = labels.GetOutput().GetFieldData().GetAbstractArray("LabelNames")
+            found = [name for name, _ in _datasets.blocks_of(data)]
+            self.assertEqual(_datasets.own_names(found)[0],
+                             [names.GetValue(i) for i in range(names.GetNumberOfValues())])
+            self.assertEqual(len(found), count)
 
     def test_names_and_values_are_told(self):
         self.labels.Update()

@@ -70,7 +70,7 @@ class ErrorTest(unittest.TestCase):
         before = _library._library
         self.addCleanup(setattr, _library, "_library", before)
         voxels = "no room: choose larger voxels (resolution=, spacing=)"
-        panel = "no room: choose larger voxels (Resolution, Voxel Size)"
+        panel = "no room: choose larger voxels (Resolution)"
         for status, name, words, kind, text in (
                 (_library.REFUSED, "winding_boolean", 1, vtkwinding.WindingError, "no room"),
                 (_library.INTERRUPTED, "winding_boolean", 1, _library.WindingInterrupted,

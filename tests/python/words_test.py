@@ -64,8 +64,11 @@ class WordsTest(unittest.TestCase):
             "mirror planes at an angle": message_of(field, *cube, mirror="y=0; 1 1 0 = 0"),
             "too many voxels": message_of(field, *cube, spacing=1e-12),
             "faces that look inward": message_of(field, *inward, resolution=4),
-            "a grid within the solid": message_of(
+            "faces that are turned": message_of(vtkwinding.surface, *inward, resolution=4),
+            "a solid that is closed at the border": message_of(
                 vtkwinding.surface, *cube, resolution=4, bounds=[0.4, 0.6] * 3),
+            "a grid within the solid": message_of(
+                vtkwinding.surface, *cube, resolution=4, bounds=[0.4, 0.6] * 3, mend_source=False),
         }
         octahedron = np.loadtxt(FOLDER / "octahedron.xyz")
         found["normals where others are wanted"] = message_of(
