@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FollowResults.h"
 
+#include "vtkCollection.h"
 #include "vtkCommand.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkProcessModule.h"
+#include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
@@ -23,6 +28,7 @@
 #include <cstring>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -53,6 +59,14 @@ vtkPVArrayInformation* arrayOf(vtkPVDataInformation* data, const char* name)
   vtkPVArrayInformation* const ofPoints =
     data->GetPointDataInformation()->GetArrayInformation(name);
   return ofPoints ? ofPoints : data->GetCellDataInformation()->GetArrayInformation(name);
+}
+
+/// Returns the name of the active array of the points of data, or "".
+std::string activeScalarsOf(vtkPVDataInformation* data)
+{
+  vtkPVArrayInformation* const scalars =
+    data->GetPointDataInformation()->GetAttributeInformation(vtkDataSetAttributes::SCALARS);
+  return scalars && scalars->GetName() ? scalars->GetName() : "";
 }
 
 /// Returns the colours of an array, which are made if nobody has asked for them.
@@ -92,42 +106,53 @@ private:
   double reach_ = 1; ///< of the range that was set last: ColorDefaults.cxx begins with −1 to 1
 };
 
-/// Gives labels a colour each, and their names.
-void followLabels(vtkSMSourceProxy* source)
+/// An array of categories, and the property of a filter with their numbers and names.
+struct Categories
 {
-  vtkSMProperty* const legend = source->GetProperty("LabelLegend");
-  vtkSMProxy* const colors = legend ? colorsOf(source, "Label") : nullptr;
-  if (!colors)
-  {
-    return;
-  }
-  // The 20 colours are Tableau's, the light ones last; 0 is outside.
+  const char* array;
+  const char* legend;
+  bool hasOutside; ///< whether 0 is outside, and is not drawn
+};
+
+constexpr Categories allCategories[] = {
+  {"Label", "LabelLegend", true}, {"Operand", "OperandLegend", false}};
+
+/// Gives the categories of a legend a colour each, and their names, unless a map has been given
+/// these before: `named` has what each map was given last. So what its user changes stays.
+void nameCategories(vtkSMProxy* colors, vtkSMProperty* legend, bool hasOutside,
+  std::map<vtkTypeUInt32, std::vector<std::string>>& named)
+{
+  // The 20 colours are Tableau's, the light ones last.
   constexpr double palette[][3] = {{0.122, 0.467, 0.706}, {1, 0.498, 0.055}, {0.173, 0.627, 0.173},
     {0.839, 0.153, 0.157}, {0.58, 0.404, 0.741}, {0.549, 0.337, 0.294}, {0.89, 0.467, 0.761},
     {0.498, 0.498, 0.498}, {0.737, 0.741, 0.133}, {0.09, 0.745, 0.812}, {0.682, 0.78, 0.91},
     {1, 0.733, 0.471}, {0.596, 0.875, 0.541}, {1, 0.596, 0.588}, {0.773, 0.69, 0.835},
     {0.769, 0.612, 0.58}, {0.969, 0.714, 0.824}, {0.78, 0.78, 0.78}, {0.859, 0.859, 0.553},
     {0.62, 0.855, 0.898}};
-  std::vector<std::string> annotations = {"0", "outside"};
-  std::vector<double> rgb = {0.93, 0.93, 0.93}, opacities = {0};
-  std::istringstream lines(vtkSMPropertyHelper(legend).GetAsString());
-  for (std::string label, name; std::getline(lines, label, '\t') && std::getline(lines, name);)
+  std::vector<std::string> annotations;
+  std::vector<double> rgb, opacities;
+  if (hasOutside)
   {
-    const double* const color = palette[opacities.size() % std::size(palette)];
-    annotations.insert(annotations.end(), {label, name});
+    annotations = {"0", "outside"};
+    rgb = {0.93, 0.93, 0.93};
+    opacities = {0};
+  }
+  std::istringstream lines(vtkSMPropertyHelper(legend).GetAsString());
+  for (std::string number, name; std::getline(lines, number, '\t') && std::getline(lines, name);)
+  {
+    const double* const color =
+      palette[(annotations.size() / 2 + !hasOutside) % std::size(palette)];
+    annotations.insert(annotations.end(), {number, name});
     rgb.insert(rgb.end(), color, color + 3);
     opacities.push_back(1);
   }
-  vtkSMPropertyHelper words(colors, "Annotations");
-  std::vector<std::string> present;
-  for (unsigned int i = 0; i < words.GetNumberOfElements(); ++i)
-  {
-    present.emplace_back(words.GetAsString(i));
-  }
-  if (present == annotations)
+  std::vector<std::string>& given = named[colors->GetGlobalID()];
+  if (given == annotations || opacities.size() == (hasOutside ? 1 : 0))
   {
     return;
   }
+  given = annotations;
+  vtkSMPropertyHelper words(colors, "Annotations");
   words.SetNumberOfElements(static_cast<unsigned int>(annotations.size()));
   for (std::size_t i = 0; i < annotations.size(); ++i)
   {
@@ -144,37 +169,122 @@ void followLabels(vtkSMSourceProxy* source)
   colors->UpdateVTKObjects();
 }
 
+/// Gives results with categories a map of colours each, with the names of these.
+class Legends
+{
+public:
+  /// Looks at a representation that a view shows.
+  void follow(vtkSMPVRepresentationProxy* representation, vtkSMViewProxy* view)
+  {
+    if (!representation || !representation->GetProperty("ColorArrayName"))
+    {
+      return;
+    }
+    vtkSMProxy* const source = vtkSMPropertyHelper(representation, "Input", true).GetAsProxy();
+    const vtkSMPropertyHelper helper(representation, "ColorArrayName");
+    const char* const name = helper.GetInputArrayNameToProcess();
+    for (const auto& [array, legend, hasOutside] : allCategories)
+    {
+      vtkSMProperty* const names = isOfPlugin(source) ? source->GetProperty(legend) : nullptr;
+      if (!names || !name || std::strcmp(name, array) != 0)
+      {
+        continue;
+      }
+      if (separated_.insert(representation->GetGlobalID()).second)
+      {
+        separate(representation, view, name, helper.GetInputArrayAssociation());
+      }
+      if (auto* colors = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy())
+      {
+        nameCategories(colors, names, hasOutside, named_);
+      }
+    }
+  }
+
+  /// Names the categories of the maps that scripts find by the names of arrays.
+  void follow(vtkSMSourceProxy* source)
+  {
+    for (const auto& [array, legend, hasOutside] : allCategories)
+    {
+      vtkSMProperty* const names = source->GetProperty(legend);
+      vtkSMProxy* const colors = names ? colorsOf(source, array) : nullptr;
+      if (colors)
+      {
+        nameCategories(colors, names, hasOutside, named_);
+      }
+    }
+  }
+
+private:
+  /// Gives a representation a map of its own, which its user may give up again.
+  static void separate(vtkSMPVRepresentationProxy* representation, vtkSMViewProxy* view,
+    const std::string& array, int association)
+  {
+    const bool hasBar = representation->IsScalarBarVisible(view);
+    vtkSMPropertyHelper(representation, "UseSeparateColorMap").Set(1);
+    representation->SetScalarColoring(array.c_str(), association);
+    if (hasBar)
+    {
+      representation->SetScalarBarVisibility(view, true);
+    }
+    vtkNew<vtkSMTransferFunctionManager> manager;
+    manager->UpdateScalarBars(view, vtkSMTransferFunctionManager::HIDE_UNUSED_SCALAR_BARS);
+  }
+
+  std::set<vtkTypeUInt32> separated_; ///< representations
+  std::map<vtkTypeUInt32, std::vector<std::string>> named_;
+};
+
 /// A change of a representation that waits for the end of its view's update, which it would break.
 struct Change
 {
   vtkWeakPointer<vtkSMProxy> representation;
-  const char* type; ///< null: stays
+  const char* type = nullptr; ///< null: stays
   std::optional<int> slice;
+  std::string scalars; ///< to be coloured by; empty: stays
 };
 
 /// Keeps the slices of an image where they are in its bounds.
 class Slices
 {
 public:
-  /// Returns what a representation needs for the new result.
-  Change changeOf(vtkSMProxy* representation, const Extent& extent, bool hasSamples)
+  /// Returns what a representation needs for the new result. Without samples `extent` is empty, and
+  /// a slice becomes an outline, for one of nothing would be an error at each render.
+  Change changeOf(vtkSMProxy* representation, const Extent& extent, const std::string& scalars)
   {
-    Change change = {representation, nullptr, std::nullopt};
+    Change change;
+    change.representation = representation;
+    const vtkTypeUInt32 number = representation->GetGlobalID();
     const bool isSlice =
       std::strcmp(vtkSMPropertyHelper(representation, "Representation").GetAsString(), "Slice") ==
       0;
-    if (!hasSamples && isSlice)
+    int present = vtkSMPropertyHelper(representation, "Slice").GetAsInt();
+    const auto outlined = outlined_.find(number);
+    if (isEmpty(extent))
     {
-      // A slice of nothing would be an error at each render.
-      change.type = "Outline";
-      outlined_ = representation;
+      if (isSlice)
+      {
+        change.type = "Outline";
+        outlined_[number] = present;
+      }
+      return change;
     }
-    else if (hasSamples && outlined_ == representation)
+    bool hasMoved = extent != extent_;
+    // ParaView has set the slice to the first layer meanwhile.
+    if (outlined != outlined_.end())
     {
       change.type = "Slice";
-      outlined_ = nullptr;
+      present = outlined->second;
+      outlined_.erase(outlined);
+      hasMoved = true;
     }
-    if (hasSamples && !isEmpty(extent_) && extent != extent_)
+    if (isEmpty(extent_) && hasFailed_)
+    {
+      // It has found nothing to colour by either, as this is the first result.
+      change.type = "Slice";
+      change.scalars = scalars;
+    }
+    if (hasMoved && (!isEmpty(extent_) || change.type))
     {
       constexpr int planes[] = {4, 0, 2}; // first places in extents, for XY, YZ and XZ
       constexpr int xyPlane = 5;          // VTK_XY_PLANE has another name since VTK 9.6
@@ -184,19 +294,25 @@ public:
       {
         return static_cast<double>(of[first + 1] - of[first] + 1);
       };
-      const int present = vtkSMPropertyHelper(representation, "Slice").GetAsInt();
-      const double share = (present - extent_[first] + 0.5) / layers(extent_);
+      const double share =
+        isEmpty(extent_) ? 0.5 : (present - extent_[first] + 0.5) / layers(extent_);
       const int moved = extent[first] + static_cast<int>(std::floor(share * layers(extent)));
       change.slice = std::clamp(moved, extent[first], extent[first + 1]);
     }
     return change;
   }
 
-  void setExtent(const Extent& extent) { extent_ = extent; }
+  void setExtent(const Extent& extent)
+  {
+    extent_ = isEmpty(extent) ? extent_ : extent;
+    hasFailed_ = isEmpty(extent);
+  }
 
 private:
+  bool hasFailed_ = false;                ///< whether the last result had no samples
   Extent extent_ = {0, -1, 0, -1, 0, -1}; ///< of the last image that had samples
-  vtkWeakPointer<vtkSMProxy> outlined_;   ///< the representation that is an outline instead
+  /// The slices of representations that are outlines instead.
+  std::map<vtkTypeUInt32, int> outlined_;
 };
 
 /// Hears of new filters, of their results, and of views that are up to date.
@@ -216,6 +332,11 @@ public:
           isOfPlugin(registered->Proxy))
       {
         this->observe(registered->Proxy);
+        this->observeViews(registered->Proxy->GetSessionProxyManager());
+      }
+      else if (vtkSMViewProxy::SafeDownCast(registered->Proxy))
+      {
+        this->observe(registered->Proxy);
       }
     }
     else if (event == DeleteEvent)
@@ -225,6 +346,12 @@ public:
     else if (auto* view = vtkSMViewProxy::SafeDownCast(caller))
     {
       this->applyChanges(view);
+      vtkSMPropertyHelper representations(view, "Representations", true);
+      for (unsigned int i = 0; i < representations.GetNumberOfElements(); ++i)
+      {
+        legends_.follow(
+          vtkSMPVRepresentationProxy::SafeDownCast(representations.GetAsProxy(i)), view);
+      }
     }
     else if (auto* source = vtkSMSourceProxy::SafeDownCast(caller))
     {
@@ -242,6 +369,19 @@ private:
     }
   }
 
+  void observeViews(vtkSMSessionProxyManager* manager)
+  {
+    vtkNew<vtkCollection> views;
+    manager->GetProxies("views", views);
+    for (int i = 0; i < views->GetNumberOfItems(); ++i)
+    {
+      if (auto* const view = vtkSMViewProxy::SafeDownCast(views->GetItemAsObject(i)))
+      {
+        this->observe(view);
+      }
+    }
+  }
+
   void follow(vtkSMSourceProxy* source)
   {
     source->UpdatePropertyInformation();
@@ -252,43 +392,30 @@ private:
     vtkPVDataInformation* const data = source->GetDataInformation(0);
     this->followSlices(source, data);
     distances_.follow(source, data);
-    followLabels(source);
+    legends_.follow(source);
   }
 
   void followSlices(vtkSMSourceProxy* source, vtkPVDataInformation* data)
   {
-    Extent extent;
-    data->GetExtent(extent.data());
-    const bool hasSamples = data->GetNumberOfPoints() > 0 && !isEmpty(extent);
+    Extent extent = {0, -1, 0, -1, 0, -1};
+    if (data->GetNumberOfPoints() > 0)
+    {
+      data->GetExtent(extent.data());
+    }
+    const std::string scalars = activeScalarsOf(data);
     for (unsigned int i = 0; i < source->GetNumberOfConsumers(); ++i)
     {
       vtkSMProxy* const consumer = source->GetConsumerProxy(i);
       if (consumer && consumer->GetProperty("Slice") && consumer->GetProperty("Representation"))
       {
-        const Change change = slices_[source].changeOf(consumer, extent, hasSamples);
+        const Change change = slices_[source].changeOf(consumer, extent, scalars);
         if (change.type || change.slice)
         {
           changes_.push_back(change);
-          this->observeViewsOf(consumer);
         }
       }
     }
-    if (hasSamples)
-    {
-      slices_[source].setExtent(extent);
-    }
-  }
-
-  void observeViewsOf(vtkSMProxy* representation)
-  {
-    for (unsigned int i = 0; i < representation->GetNumberOfConsumers(); ++i)
-    {
-      vtkSMProxy* const consumer = representation->GetConsumerProxy(i);
-      if (vtkSMViewProxy::SafeDownCast(consumer))
-      {
-        this->observe(consumer);
-      }
-    }
+    slices_[source].setExtent(extent);
   }
 
   void applyChanges(vtkSMViewProxy* view)
@@ -311,6 +438,11 @@ private:
       {
         change.representation->UpdateVTKObjects();
       }
+      auto* const shown = vtkSMPVRepresentationProxy::SafeDownCast(change.representation);
+      if (shown && !change.scalars.empty())
+      {
+        shown->SetScalarColoring(change.scalars.c_str(), vtkDataObject::POINT);
+      }
     }
     view->Update();
   }
@@ -318,6 +450,7 @@ private:
   std::map<vtkObject*, Slices> slices_; ///< by source
   std::vector<Change> changes_;
   DistanceColors distances_;
+  Legends legends_;
 };
 
 } // namespace

@@ -13,7 +13,8 @@ namespace winding
  * - A slice of an image stays where it was in the bounds when the number of voxels changes, and an
  *   image without any is shown as its outline.
  * - The colours of "SignedDistance" reach as far below 0 as above, unless their range was changed.
- * - Labels have a colour each, and their names are the legend's.
+ * - Labels and operands have a colour each, and their names are the legend's, in each result's own
+ *   map of colours.
  *
  * A second call changes nothing, and neither does one on a server.
  */

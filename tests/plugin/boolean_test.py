@@ -36,6 +36,19 @@ class TestBoolean(unittest.TestCase):
         self.assertAlmostEqual(
             volume_of(result(boolean)), WHOLE - LENS, delta=0.01 * (WHOLE - LENS))
 
+    def test_two_selected_meshes_are_its_operands(self):
+        of_two_ports = self.boolean(Operation="Difference")
+        operands = [of_two_ports.Input[0], *of_two_ports.Others]
+        selected = simple.WindingNumberBoolean(
+            Input=operands, Operation="Difference", Resolution=of_two_ports.Resolution)
+        self.assertEqual(volume_of(result(selected)), volume_of(result(of_two_ports)))
+        selected.UpdatePropertyInformation()
+        self.assertIn("1 part, volume ", selected.Solid)
+        alone = simple.WindingNumberBoolean(Input=operands[0])
+        errors = errors_of(alone)
+        alone.UpdatePipeline()
+        self.assertIn("give another input (Edit > Change Input, Others)", errors[0])
+
     def test_there_may_be_several_others(self):
         boolean = self.boolean(Operation="Difference")
         one = volume_of(result(boolean))

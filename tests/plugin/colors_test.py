@@ -8,7 +8,8 @@ from paraview import simple
 from support import errors_of, load_plugin, run_tests, sphere_points, unit_sphere
 
 LOW, MIDDLE, HIGH = 0, 0.5, 1
-BELOW, ABOVE = -0.25, 1.25  # where overlaps and what looks inward have colours of their own
+# Where what looks inward, two solids, and more than two have colours of their own.
+BELOW, TWO, MORE, END = -0.6, 1.25, 2.5, 3
 
 
 class TestColors(unittest.TestCase):
@@ -20,7 +21,9 @@ class TestColors(unittest.TestCase):
     def assert_two_sided(self):
         colors = simple.GetColorTransferFunction("WindingNumber")
         points = colors.RGBPoints
-        self.assertEqual(list(points[::4]), [BELOW, LOW, MIDDLE, HIGH, ABOVE])
+        self.assertEqual(list(points[::4]), [
+            BELOW, LOW, MIDDLE, HIGH, TWO, TWO + 1e-4, MORE, MORE + 1e-4, END])
+        self.assertEqual(list(colors.Annotations[::2]), ["0", "1", "2", "3"])
         self.assertTrue(colors.UseAboveRangeColor and colors.UseBelowRangeColor)
         low, middle, high = (points[i + 1 : i + 4] for i in (4, 8, 12))
         self.assertGreater(low[2], 2 * low[0], "blue outside")
@@ -129,22 +132,73 @@ class TestColors(unittest.TestCase):
         self.assertEqual(len(errors), 1)
         self.assertEqual(display.Representation, "Outline")
         simple.Render(self.view)
-        field.Resolution = 24
+        for resolution in (20, 40):
+            field.Resolution = resolution
+            simple.Render(self.view)
+            self.assertEqual(display.Representation, "Slice")
+            self.assertEqual(display.Slice, resolution // 2 - 1, "as before")
+
+    def test_a_refused_field_looks_as_ever_afterwards(self):
+        field = simple.WindingNumberField(Input=unit_sphere(), Resolution=20)
+        errors = errors_of(field)
+        field.FlatBase = "nowhere"
+        views = [self.view, simple.CreateView("RenderView")]
+        displays = [simple.Show(field, view) for view in views]
+        for view in views:
+            simple.Render(view)
+        self.assertEqual(len(errors), 1)
+        field.FlatBase = ""
+        for view, display in zip(views, displays):
+            simple.Render(view)
+            self.assertEqual(display.Representation, "Slice")
+            self.assertEqual(display.Slice, 10)
+            self.assertEqual(list(display.ColorArrayName), ["POINTS", "WindingNumber"])
+
+    def test_names_of_users_stay(self):
+        labels = simple.WindingNumberLabels(Input=unit_sphere(), Resolution=20)
+        colors = self.colors_of(labels)
+        colors.Annotations = ["0", "air", "1", "steel"]
+        simple.Show(simple.Sphere(), self.view)
         simple.Render(self.view)
-        self.assertEqual(display.Representation, "Slice")
+        self.assertEqual(list(colors.Annotations[1::2]), ["air", "steel"])
 
     def test_labels_have_names_and_colors_of_their_own(self):
         balls = simple.GroupDatasets(
             Input=[unit_sphere(), unit_sphere(Center=(3, 0, 0))], BlockNames=["left", "right"])
         labels = simple.WindingNumberLabels(Input=balls, Resolution=20)
-        simple.Show(labels, self.view)
-        simple.Render(self.view)
-        colors = simple.GetColorTransferFunction("Label")
+        colors = self.colors_of(labels)
         self.assertTrue(colors.InterpretValuesAsCategories)
         self.assertEqual(
             list(colors.Annotations), ["0", "outside", "1", "left", "2", "right"])
         self.assertEqual(list(colors.IndexedOpacities), [0, 1, 1])
         self.assertEqual(len(set(zip(*[iter(colors.IndexedColors)] * 3))), 3)
+        # Each filter of labels has a legend of its own, as long as both are shown.
+        others = simple.WindingNumberLabels(
+            Input=simple.GroupDatasets(
+                Input=[unit_sphere(), unit_sphere(Center=(0, 3, 0))], BlockNames=["up", "down"]),
+            Resolution=20)
+        of_others = self.colors_of(others)
+        of_voxels = self.colors_of(simple.WindingNumberVoxels(Input=labels))
+        self.assertEqual(list(of_others.Annotations[3::2]), ["up", "down"])
+        for legend in (colors, of_voxels):
+            self.assertEqual(list(legend.Annotations[3::2]), ["left", "right"])
+
+    def test_operands_have_names_and_colors_of_their_own(self):
+        tool = unit_sphere(Center=(1, 0, 0))
+        simple.RenameSource("tool", tool)
+        boolean = simple.WindingNumberBoolean(Input=[unit_sphere(), tool], Resolution=20)
+        colors = self.colors_of(boolean, ("CELLS", "Operand"))
+        self.assertTrue(colors.InterpretValuesAsCategories)
+        self.assertEqual(colors.Annotations[::2], ["0", "1"])
+        self.assertEqual(colors.Annotations[3], "tool")
+
+    def colors_of(self, filter_, array=None):
+        """Returns the map of colours by which a result is shown."""
+        display = simple.Show(filter_, self.view)
+        if array:
+            simple.ColorBy(display, array)
+        simple.Render(self.view)
+        return display.LookupTable
 
     def test_other_images_look_as_ever(self):
         display = simple.Show(simple.Wavelet(), self.view)

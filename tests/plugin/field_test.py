@@ -233,8 +233,9 @@ class TestField(unittest.TestCase):
         errors = errors_of(field)
         field.UpdatePipeline()
         self.assertEqual(len(errors), 1)
-        self.assertRegex(errors[0], "this takes about .* (hours|days): use Method: Automatic, or ")
-        self.assertIn("(Longest Expected Time)", errors[0])
+        self.assertRegex(errors[0], "this takes about .* (hours|days): "
+                                    "use Method: Automatic, behind the gear, or ")
+        self.assertIn("(Longest Expected Time, behind the gear)", errors[0])
         self.assertEqual(information(field, "Status"), 1)
 
     def test_progress_and_abort(self):
@@ -260,6 +261,7 @@ class TestField(unittest.TestCase):
         field.Resolution = 20
         self.assertAlmostEqual(value_at(result(field), (0, 0, 0)), 1, places=6)
         self.assertEqual(information(field, "Status"), 0)
+        self.assertEqual(vtk_object.GetProgressText(), "Evaluating")
 
     def test_all_filters_can_be_aborted(self):
         sphere = unit_sphere(ThetaResolution=200, PhiResolution=200)

@@ -21,6 +21,8 @@ from paraview import simple
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkIOImage import vtkPNGReader
 
+from python_plugin import unpack_python_plugin
+
 TESTS = pathlib.Path(__file__).resolve().parent
 ROOT = TESTS.parents[1]
 BASELINES = TESTS / "baselines"
@@ -42,7 +44,9 @@ INPUTS = {
     "WindingNumberLabels": "WindingNumberSurface1",
 }
 # What makes the first input of filters with two, by the name of the second one, which is the scan.
-FIRST_INPUTS = {"Source": "add_plane", "Others": "add_ball"}
+FIRST_INPUTS = {"Source": "add_plane"}
+# What chooses the inputs of filters that take several that are selected.
+SELECTIONS = {"WindingNumberBoolean": "choose_with_ball"}
 # The array by which a result is to be coloured, where it looks like its input otherwise.
 COLORS = {"WindingNumberNormals": "Area", "WindingNumberBoolean": "Operand"}
 
@@ -133,7 +137,8 @@ def clicks():
             result.filter(label)
             result.take_first_as(second)
         else:
-            result.python(f"gui_window.choose('{INPUTS.get(name, 'scan.off')}')")
+            choose = SELECTIONS.get(name, "choose")
+            result.python(f"gui_window.{choose}('{INPUTS.get(name, 'scan.off')}')")
             result.filter(label)
         result.add(APPLY)
         if name in COLORS:
@@ -179,19 +184,36 @@ def clicks_that_are_refused():
     return ElementTree.tostring(result.root, encoding="unicode")
 
 
-def play(script, folder):
+def clicks_on_apply():
+    """No shell of Python here: it loads modules that a plugin in Python has to load itself."""
+    panel = f"{WINDOW}/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport"
+    result = Clicks()
+    result.open(SCAN)
+    for label in ("Winding Number Field", "Winding Number Labels"):
+        result.filter(label)
+        for resolution in (20, 30, 40):
+            result.add(f"{panel}/scrollAreaWidgetContents/PropertiesFrame/ProxyPanel/Resolution/"
+                       "LineEdit0", "set_string", str(resolution))
+            result.add(APPLY)
+    return ElementTree.tostring(result.root, encoding="unicode")
+
+
+def play(script, folder, plugin=os.environ["WINDING_PLUGIN"]):
     """Runs ParaView with settings of its own; returns what it says."""
-    plugin = os.environ["WINDING_PLUGIN"]
     environment = dict(os.environ)
     environment["HOME"] = environment["XDG_RUNTIME_DIR"] = str(folder)
     environment["XDG_CONFIG_HOME"] = str(folder)
     environment["WINDING_GUI_OUTPUT"] = str(PICTURES)
-    environment["PYTHONPATH"] = os.pathsep.join((str(TESTS), os.environ["PYTHONPATH"]))
+    environment["PYTHONPATH"] = os.pathsep.join(
+        (str(TESTS), str(folder / "shim"), os.environ["PYTHONPATH"]))
     path = folder / "clicks.xml"
     path.write_text(script, encoding="ascii")
+    plugins = folder / "plugins.xml"
+    plugins.write_text(f'<Plugins><Plugin name="WindingNumbers" filename="{plugin}" '
+                       'auto_load="1"/></Plugins>', encoding="ascii")
+    environment["PV_PLUGIN_CONFIG_FILE"] = str(plugins)
     command = [os.environ["WINDING_PARAVIEW_WINDOW"], "--dr", f"--test-directory={folder}",
-               f"--test-script={path}", "--exit",
-               f"--plugin-search-paths={os.path.dirname(plugin)}", "--plugins=WindingNumbers"]
+               f"--test-script={path}", "--exit"]
     done = subprocess.run(
         command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
         check=False, timeout=LONGEST_PLAY)
@@ -237,6 +259,17 @@ class TestRefusals(unittest.TestCase):
         self.assertEqual(len(told), len(REFUSED), output)
         for line, words in zip(told, REFUSED):
             self.assertTrue(line.startswith(words), line)
+
+
+class TestPythonPlugin(unittest.TestCase):
+    def test_apply_may_be_pressed_again(self):
+        with tempfile.TemporaryDirectory() as folder:
+            plugin = unpack_python_plugin(pathlib.Path(folder))
+            status, output = play(clicks_on_apply(), pathlib.Path(folder), plugin)
+        self.assertEqual(status, 0, output)
+        self.assertIn("Success =  true", output)
+        for sign in ("ERR|", "critical", "Traceback"):
+            self.assertNotIn(sign, output, output)
 
 
 class TestWindow(unittest.TestCase):

@@ -7,7 +7,7 @@ import os
 import sys
 import traceback
 
-from paraview import simple
+from paraview import servermanager, simple
 
 # That of ParaView 5.
 BACKGROUND = (0.32, 0.34, 0.43)
@@ -37,15 +37,17 @@ def choose(name):
 
 
 @told_outside
-def add_ball():
-    """A ball that overlaps with the scan."""
-    simple.SetActiveSource(
-        simple.Sphere(
-            registrationName="ball", Center=(1, 0, 0), Radius=0.8, ThetaResolution=40,
-            PhiResolution=30,
-        )
+def choose_with_ball(name):
+    """Selects a ball that overlaps with a source, and the source, as a click with Ctrl does."""
+    choose(name)
+    ball = simple.Sphere(
+        registrationName="ball", Center=(1, 0, 0), Radius=0.8, ThetaResolution=40,
+        PhiResolution=30,
     )
-    simple.GetActiveSource().UpdatePipeline()
+    ball.UpdatePipeline()
+    selection = servermanager.ProxyManager().GetSelectionModel("ActiveSources")
+    selection.SetCurrentProxy(ball.SMProxy, selection.CLEAR_AND_SELECT)
+    selection.Select(simple.FindSource(name).SMProxy, selection.SELECT)
 
 
 def add_plane():

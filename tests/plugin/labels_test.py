@@ -97,6 +97,36 @@ class TestLabels(unittest.TestCase):
         found = values_of(result(labels).GetPointData())
         self.assertEqual([v == 0 for v in found], [v == 0 for v in expected])
 
+    def test_regions_of_64_bits(self):
+        faces = ("0231", "4576", "0154", "2673", "0462", "1375")
+        points = [(3 * box + i % 2, i // 2 % 2, i // 4) for box in (0, 1) for i in range(8)]
+        corners = [8 * box + int(corner) for box in (0, 1) for face in faces for corner in face]
+        ids = [2**40 + box for box in (0, 1) for _ in faces]
+
+        def array(kind, name, values, components=1):
+            return (f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}">'
+                    f'{" ".join(map(str, values))}</DataArray>')
+
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "boxes.vtp")
+            path.write_text(
+                '<VTKFile type="PolyData" version="1.0"><PolyData>'
+                '<Piece NumberOfPoints="16" NumberOfPolys="12"><CellData>'
+                f'{array("Int64", "region", ids)}</CellData><Points>'
+                f'{array("Float64", "Points", [x for point in points for x in point], 3)}</Points>'
+                f'<Polys>{array("Int64", "connectivity", corners)}'
+                f'{array("Int64", "offsets", range(4, 52, 4))}</Polys></Piece></PolyData>'
+                '</VTKFile>')
+            boxes = simple.XMLPolyDataReader(FileName=[str(path)])
+            labels = simple.WindingNumberLabels(Input=boxes, RegionArray="region", Resolution=16)
+            warnings = warnings_of(labels)
+            image = result(labels)
+        self.assertIn("labels are counted from 1", warnings[0])
+        names = image.GetFieldData().GetAbstractArray("LabelNames")
+        self.assertEqual([names.GetValue(i) for i in range(2)],
+                         [f"region {number}" for number in (2**40, 2**40 + 1)])
+        self.assertEqual(set(values_of(image.GetPointData())), {0, 1, 2})
+
     def test_the_surface_between_labels_has_both(self):
         labels = simple.WindingNumberLabels(
             Input=self.assembly(), Resolution=24, OverlapRule="Smallest Volume",

@@ -4,8 +4,27 @@
 import unittest
 
 from paraview import simple
+from paraview.modules.vtkRemotingServerManager import vtkSMOrderedPropertyIterator
 
 from support import enabled, information, is_enabled, run_tests, shown, unit_sphere
+
+
+def groups_of(proxy):
+    """Returns the labels of the groups of a panel, in the order of their first properties."""
+    of_property = {}
+    for number in range(proxy.SMProxy.GetNumberOfPropertyGroups()):
+        group = proxy.SMProxy.GetPropertyGroup(number)
+        for index in range(group.GetNumberOfProperties()):
+            of_property.setdefault(group.GetProperty(index), group.GetXMLLabel())
+    properties = vtkSMOrderedPropertyIterator()
+    properties.SetProxy(proxy.SMProxy)
+    labels = []
+    properties.Begin()
+    while not properties.IsAtEnd():
+        label = of_property.get(properties.GetProperty())
+        labels += [label] if label and label not in labels else []
+        properties.Next()
+    return labels
 
 
 class TestPanel(unittest.TestCase):
@@ -55,8 +74,16 @@ class TestPanel(unittest.TestCase):
         self.assert_kind(field, 2)
         self.assert_kind(probe, 2)
 
+    def test_what_one_came_for_comes_first_and_the_grid_next(self):
+        for make, first in ((simple.WindingNumberSurface, "Surface"),
+                            (simple.WindingNumberBoolean, "Surface"),
+                            (simple.WindingNumberLabels, "Labels")):
+            groups = groups_of(make(Input=self.mesh))
+            self.assertEqual(groups[:2], [first, "Sampling Grid"])
+        self.assertEqual(groups_of(simple.WindingNumberField(Input=self.mesh))[0], "Sampling Grid")
+
     def test_nothing_is_said_of_an_execution_before_the_first(self):
-        field = simple.WindingNumberField(Input=self.mesh, Resolution=4)
+        field = simple.WindingNumberField(Input=self.mesh, Resolution=8)
         field.UpdatePipelineInformation()
         self.assertEqual(shown(field, "Last Execution"), set())
         self.assertEqual(information(field, "MethodUsed"), "")
@@ -147,15 +174,12 @@ class TestPanel(unittest.TestCase):
         self.assertLessEqual(sides, shown(field, "Inside and Outside"))
         for name in ("GenerateInside", "GenerateSignedDistance"):
             self.assertTrue(enabled(field, "Inside and Outside").isdisjoint(sides))
-            self.assertEqual(enabled(field, "Signed Distance"), {"GenerateSignedDistance"})
+            self.assertNotIn("DistanceBand", enabled(field, "Arrays"))
             setattr(field, name, 1)
             self.assertLessEqual(sides, enabled(field, "Inside and Outside"))
             setattr(field, name, 0)
         field.GenerateSignedDistance = 1
-        both = {"GenerateSignedDistance", "DistanceBand"}
-        self.assertEqual(enabled(field, "Signed Distance"), both)
-        surface = simple.WindingNumberSurface(Input=self.mesh)
-        self.assertEqual(shown(surface, "Signed Distance"), set())
+        self.assertIn("DistanceBand", enabled(field, "Arrays"))
 
     def test_all_is_shown_for_a_source_that_is_not_there_yet(self):
         proxy = simple.WindingNumberProbe(Input=self.mesh, Source=unit_sphere())
@@ -183,8 +207,8 @@ class TestPanel(unittest.TestCase):
         proxy = simple.WindingNumberClip(Input=self.mesh, Source=self.mesh)
         expected = {"WindingThreshold", "InsideRule", "InsideOut"}
         self.assertEqual(shown(proxy, "Inside and Outside"), expected)
-        for heading in ("Where", "Signed Distance", "Result"):
-            self.assertTrue(shown(proxy, heading) <= {"Input"}, heading)
+        for heading in ("Where", "Arrays"):
+            self.assertEqual(shown(proxy, heading), set(), heading)
 
     def test_voxels_of_labels_have_no_threshold(self):
         for source, has_threshold in (("Field", (True, False, True)),

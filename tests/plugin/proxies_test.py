@@ -83,6 +83,7 @@ SETTABLE = {
     "WindingNumberLabels": {
         **COMMON,
         **GRID,
+        "MendSource": (0, "0"),
         "OutputAssociation": (1, "1"),
         "Coverage": (2, "2"),
         "CoverageSamples": (2, "2"),
@@ -96,8 +97,10 @@ SETTABLE = {
     "WindingNumberSurface": {
         **COMMON,
         **GRID,
+        "MendSource": (0, "0"),
         "CloseBorder": (1, "1"),
         "FillCavities": (1, "1"),
+        "GapWidth": (0.5, "0.5"),
         "Offset": (-0.25, "-0.25"),
         "Shell": (0.125, "0.125"),
         "ShellSide": (2, "2"),
@@ -114,6 +117,7 @@ SETTABLE = {
     "WindingNumberBoolean": {
         **COMMON,
         **GRID,
+        "MendSource": (0, "0"),
         "Operation": (2, "2"),
         "GenerateImage": (1, "1"),
         "CloseBorder": (1, "1"),
@@ -174,22 +178,23 @@ COMMON_REPORTED = {
     "PrepareSeconds",
     "EvaluateSeconds",
 }
-GRID_REPORTED = COMMON_REPORTED | {"MaxError", "RMSError", "NearMaxError"}
+GRID_REPORTED = COMMON_REPORTED | {"MaxError", "RMSError", "NearMaxError", "ResolutionReason"}
 REPORTED = {
     "WindingNumberReport": {"Advice", "FractionalShare"},
     "WindingNumberField": GRID_REPORTED | {"NumberOfInsideSamples"},
     "WindingNumberLabels": GRID_REPORTED | {
         "LabelLegend",
+        "VolumesInWords",
         "NumberOfSolids",
         "NumberOfEmptySolids",
         "NumberOfOpenSolids",
         "NumberOfInsideOutSolids",
     },
-    "WindingNumberSurface": GRID_REPORTED | {"FidelityInWords"},
-    "WindingNumberBoolean": GRID_REPORTED,
+    "WindingNumberSurface": GRID_REPORTED | {"FidelityInWords", "SolidInWords"},
+    "WindingNumberBoolean": GRID_REPORTED | {"OperandLegend", "SolidInWords"},
     "WindingNumberProbe": COMMON_REPORTED,
     "WindingNumberClip": COMMON_REPORTED,
-    "WindingNumberVoxels": set(),
+    "WindingNumberVoxels": {"LabelLegend"},
     "WindingNumberNormals": {"Status", "TotalArea", "NormalEstimationUsed", "ClearShare"},
 }
 LEFT_OUT = {"NumberOfVerifiedSamples", "NumberOfNearVerifiedSamples", "NumberOfSamplesOnSurface",
@@ -241,12 +246,13 @@ ENUMERATIONS = {
 DEFAULTS_OF_PANELS = {
     "NamesInMessages": "1",
     "LongestExpectedTime": "600",
-    "Resolution": "128",
     "NormalsArray": "Active Normals",
     "RegionArray": "None",
     "FaultThickness": "0.003",
     "EstimateNormals": "1",
 }
+# Where a list would have nothing to go by before there is a Source.
+NAMES_NORMALS_BY_TEXT = ("WindingNumberProbe", "WindingNumberClip")
 
 # The values that a user interface offers. For the threshold and the padding they are the usual
 # ones; the classes take more.
@@ -254,6 +260,7 @@ RANGES = {
     "FidelitySamples": (0, None),
     "Offset": (None, None),
     "Shell": (0, None),
+    "GapWidth": (0, None),
     "Tolerance": (0, None),
     "PointArea": (0, None),
     "NumberOfNeighbors": (3, 1000),
@@ -262,7 +269,7 @@ RANGES = {
     "NumberOfThreads": (0, None),
     "FaultThickness": (0, 1),
     "LongestExpectedTime": (0, None),
-    "Resolution": (1, None),
+    "Resolution": (0, None),
     "VoxelSize": (0, None),
     "WeldTolerance": (0, None),
     "SamplingDimensions": (0, None),
@@ -322,7 +329,9 @@ class TestProxies(unittest.TestCase):
             with self.subTest(name):
                 proxy = new_proxy("filters", name)
                 members = printed_members(bare_object("vtk" + name)).keys()
-                self.assertEqual(members - LEFT_OUT, settable.keys() | REPORTED[name])
+                # Winding numbers are the result there, of the source as it is.
+                left_out = LEFT_OUT | ({"MendSource"} if name == "WindingNumberField" else set())
+                self.assertEqual(members - left_out, settable.keys() | REPORTED[name])
                 iterator = proxy.NewPropertyIterator()
                 properties = set()
                 while not iterator.IsAtEnd():
@@ -337,7 +346,8 @@ class TestProxies(unittest.TestCase):
             pushed = printed_members(proxy.GetClientSideObject())
             for member in settable:
                 with self.subTest(f"{name}.{member}"):
-                    expected = DEFAULTS_OF_PANELS.get(member, in_cpp[member])
+                    is_text = member == "NormalsArray" and name in NAMES_NORMALS_BY_TEXT
+                    expected = "" if is_text else DEFAULTS_OF_PANELS.get(member, in_cpp[member])
                     self.assertEqual(elements_text(proxy.GetProperty(member)), expected)
                     self.assertEqual(pushed[member], expected)
 
@@ -386,7 +396,7 @@ class TestProxies(unittest.TestCase):
     def test_values_below_the_range_are_known(self):
         refused = {
             "WindingNumberField": {
-                "Resolution": 0,
+                "Resolution": -1,
                 "VoxelSize": -1,
                 "SamplingDimensions": (1, 1, -1),
                 "Tolerance": -1e-3,

@@ -458,7 +458,9 @@ def of_what_is_refused(ball):
         note(f"faults of thickness {thickness}", simple.WindingNumberReport(
             Input=bowl, FaultThickness=thickness))
     twice = simple.AppendGeometry(Input=[inward, inward])
-    numbered = simple.GenerateIds(Input=twice)
+    # ParaView 5.13 has another name for it.
+    make_ids = getattr(simple, "GenerateIds", None) or simple.PointAndCellIds
+    numbered = make_ids(Input=twice)
     for name, data in (("faces that are there twice", numbered),
                        ("strips", simple.TriangleStrips(Input=inward))):
         note(f"report on {name}", simple.WindingNumberReport(Input=data, FixOrientation=1))
@@ -505,6 +507,32 @@ def of_points_of_few_kinds(nothing):
         for estimates in (0, 1):
             note(f"areas of {name}, {estimates}", simple.WindingNumberNormals(
                 Input=data, EstimateNormals=estimates))
+
+
+VIEWPOINTS = """
+from vtkmodules.vtkCommonCore import vtkFloatArray
+output.SetPoints(inputs[0].VTKObject.GetPoints())
+array = vtkFloatArray()
+array.SetName("Viewpoints")
+array.SetNumberOfComponents(3)
+for i in range(output.GetNumberOfPoints()):
+    array.InsertNextTuple([SCALE * x for x in output.GetPoint(i)])
+output.GetPointData().AddArray(array)
+"""
+
+
+def of_viewpoints(ball):
+    """Points that know where they were seen from: outside of a solid, and inside of a room."""
+    for scale in (3, 0.1):
+        seen = simple.ProgrammableFilter(
+            Input=ball, Script=VIEWPOINTS.replace("SCALE", str(scale)), CopyArrays=0)
+        for settings in ({}, {"EstimateNormals": 0}, {"Toward": "up"}):
+            name = f"points seen from {scale}, {settings}"
+            note(name, simple.WindingNumberField(
+                Input=seen, InsideRule="Absolute", Resolution=12, **settings))
+            note(f"normals of {name}", simple.WindingNumberNormals(Input=seen, **settings))
+        note(f"surface of points seen from {scale}", simple.WindingNumberSurface(
+            Input=seen, EstimateNormals=0, Resolution=12))
 
 
 SHORT = """
@@ -718,8 +746,8 @@ def run(folder):
     nothing = simple.Slice(Input=balls[0])
     nothing.SliceType.Origin = [9, 9, 9]
     of_points_of_few_kinds(nothing)
-    for of_these in (of_parts_as_clouds, of_warnings_of_solids, of_lines, of_empty_voxels,
-                     of_numbers_out_of_range, of_ids_that_change):
+    for of_these in (of_viewpoints, of_parts_as_clouds, of_warnings_of_solids, of_lines,
+                     of_empty_voxels, of_numbers_out_of_range, of_ids_that_change):
         of_these(balls[0])
 
 

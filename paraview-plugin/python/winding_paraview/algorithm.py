@@ -79,7 +79,7 @@ def refuse_beyond_memory(count, what):
     free = _free_bytes()
     if count > free:
         raise WindingMemoryError(
-            f"not enough memory: choose larger voxels (Resolution, Voxel Size); {what} needs "
+            f"not enough memory: choose larger voxels (Resolution); {what} needs "
             f"{words_of_memory(count)}, and {words_of_memory(free)} is free")
 
 
@@ -91,7 +91,7 @@ def new_array(name, dtype, count, components=1):
         np.empty(size, np.uint8)  # VTK would end the process
     except (MemoryError, ValueError) as error:
         raise WindingMemoryError(
-            "not enough memory: choose larger voxels (Resolution, Voxel Size)") from error
+            "not enough memory: choose larger voxels (Resolution)") from error
     array = create_vtk_array(get_vtk_array_type(np.dtype(dtype)))
     array.SetName(name)
     array.SetNumberOfComponents(components)
@@ -123,6 +123,16 @@ def copied(name, values, components=1):
     array, view = new_array(name, values.dtype, len(values), components)
     view[...] = values
     return array
+
+
+def legend_of(facts, values="LabelValues", names="LabelNames"):
+    """Returns a line for each name in an array of field data, with its number, which is in another
+    array, or counts from 0 where that is None."""
+    numbers = facts.GetArray(values) if values else None
+    texts = facts.GetAbstractArray(names)
+    count = texts.GetNumberOfValues() if texts and (numbers or not values) else 0
+    return "".join(f"{numbers.GetTuple1(n) if numbers else n:.0f}\t{texts.GetValue(n)}\n"
+                   for n in range(count))
 
 
 def pointer(array):

@@ -14,7 +14,7 @@ from vtkwinding._booleans import reach_of, reaches_beyond
 from vtkwinding._errors import WindingError
 from vtkwinding._library import sentence
 
-from .algorithm import RUN, copied, declared
+from .algorithm import RUN, copied, declared, legend_of
 from .grids import sample_count, whole_extent
 from .ranks import Ranks
 from .sources import ask_for_part, blocks_with_names, kind_of, named_blocks
@@ -27,11 +27,14 @@ _ANY_OTHER = -1  # operand without a threshold or rule of its own
 class WindingNumberBoolean(SurfaceAlgorithm):
     """The surface of what an operation makes of solids."""
 
+    has_several_sources = True
+
     def __init__(self):
         super().__init__(ports=2)
         self.names = ({}, {})  # of connections, by port
         self.thresholds, self.rules = {}, {}  # by operand
         self.infos = []
+        self.legend = ""
         self._kept = {}  # the field of each operand, and what it was made of
 
     def FillInputPortInformation(self, port, info):
@@ -49,6 +52,13 @@ class WindingNumberBoolean(SurfaceAlgorithm):
 
     def more_properties(self):
         return [sorted(one.items()) for one in (*self.names, self.thresholds, self.rules)]
+
+    def check(self):
+        self.legend = ""
+        super().check()
+
+    def GetOperandLegend(self):
+        return self.legend
 
     def RemoveOtherConnections(self):
         self.SetInputConnection(1, None)
@@ -136,25 +146,35 @@ class WindingNumberBoolean(SurfaceAlgorithm):
         finally:
             del self.warn
 
-    def make(self, data, ranks, output, image):
+    def _prepare_all(self, data, ranks, *, says):
+        """Makes the fields of all operands. Returns these, and the names of operands."""
         count = data.GetNumberOfBlocks()
         if count < 2:
             raise WindingError(sentence("fewerThanTwoSolids"))
         names = [data.GetMetaData(index).Get(vtkCompositeDataSet.NAME()) for index in range(count)]
-        rules = [self._rule_of(index) for index in range(count)]
         fields, self.infos, kept = [], [], {}
         for index, name in enumerate(names):
             # prepare() keeps one field: that of this operand is put in its place.
             self.field_key, self.field, self.field_notes = self._kept.get(index, (None, None, []))
             self.source_kind = kind_of(data.GetBlock(index))
             with self._naming(name), ranks.agreeing():  # so that all are at this operand
-                is_own = self.prepare(data.GetBlock(index), ranks)
+                is_own = self.prepare(data.GetBlock(index), ranks, says=says)
             kept[index] = (self.field_key, self.field, self.field_notes)
             fields.append(self.field)
             if is_own:
                 self.infos.append(self.info)
         self._kept = kept
         self.source_kind = kind_of(data)
+        return fields, names
+
+    def solids(self, data, ranks):
+        fields, _ = self._prepare_all(data, ranks, says=False)
+        return [(field, self._rule_of(index)) for index, field in enumerate(fields)]
+
+    def make(self, data, ranks, output, image):
+        fields, names = self._prepare_all(data, ranks, says=True)
+        count = len(fields)
+        rules = [self._rule_of(index) for index in range(count)]
         if len(self.infos) < count:
             return False
         self.info = max(self.infos, key=lambda info: info.primitives)
@@ -183,4 +203,5 @@ class WindingNumberBoolean(SurfaceAlgorithm):
         for name in names:
             texts.InsertNextValue(name)
         output.GetFieldData().AddArray(texts)
+        self.legend = legend_of(output.GetFieldData(), None, "OperandNames")
         self.describe(output)

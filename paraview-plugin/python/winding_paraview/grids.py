@@ -14,10 +14,10 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 
 from vtkwinding import _grids, _library
-from vtkwinding._datasets import directions_of, points_of
+from vtkwinding._datasets import directions_of
 from vtkwinding._errors import WindingError
 from vtkwinding._library import sentence
-from vtkwinding._parts import MOST_SKEW_TO_LIE_ON, centres_of, grid_of_image, has_right_angles
+from vtkwinding._parts import MOST_SKEW_TO_LIE_ON, grid_of_image, has_right_angles
 
 from .algorithm import DONE, RUN, declared, new_array, refuse_beyond_memory
 from .ranks import Ranks
@@ -55,6 +55,7 @@ class GridAlgorithm(SourceAlgorithm):
         super().__init__(nInputPorts=ports, nOutputPorts=outputs, outputType=output_type)
         self.grid = None
         self.laid_out = None  # the grid of the request, of which others are moved
+        self.resolution_reason = ""
         self.request = None
         self.verification = None
         self._bounds = (None, None)
@@ -246,9 +247,31 @@ class GridAlgorithm(SourceAlgorithm):
         request.sampling_bounds = (ctypes.c_double * 6)(*bounds)
         request.sampling_dimensions = (ctypes.c_int32 * 3)(*self.values["SamplingDimensions"])
         request.voxel_size = self.value("VoxelSize")
-        request.resolution = self.value("Resolution")
+        self.resolution_reason = ""
+        if self.value("Resolution"):
+            request.resolution = self.values["Resolution"]
+        elif (bounds is not None and ranks.are_alone and not request.voxel_size
+              and not any(request.sampling_dimensions)):
+            request.resolution, self.resolution_reason = max(
+                (self._wall_resolution(request, field, rule)
+                 for field, rule in self.solids(data, ranks)), default=(request.resolution, ""))
         self.request, self.laid_out = request, self._laid(request)
         self.grid = self.laid_out
+
+    def solids(self, data, ranks):
+        """Yields all fields whose walls decide about the grid, and their rules."""
+        if self.prepare(data, ranks, says=False):
+            yield self.field, self.rule()
+
+    def _wall_resolution(self, request, field, rule):
+        found, reason = ctypes.c_int32(), ctypes.create_string_buffer(200)
+        self.call("winding_wall_resolution", field.pointer, ctypes.byref(request),
+                  ctypes.byref(rule), ctypes.c_int32(self.mends()), RUN, ctypes.byref(found),
+                  reason, ctypes.c_size_t(len(reason)))
+        return found.value, reason.value.decode()
+
+    def GetResolutionReason(self):
+        return self.resolution_reason
 
     def _laid(self, request):
         grid = _library.Grid()
@@ -575,9 +598,16 @@ class WindingNumberField(ImageAlgorithm):
         return self.inside_count
 
     def active_scalar_type(self):
-        if self.values["GenerateInside"] and not self.values["GenerateWindingNumber"]:
+        is_alone = self.values["GenerateInside"] and not self.values["GenerateWindingNumber"]
+        if is_alone or self._shows_inside():
             return VTK_UNSIGNED_CHAR
         return self.values["OutputScalarType"]
+
+    def _shows_inside(self):
+        """Returns whether "Inside" says something else than whether w is 0.5 or more."""
+        is_plain = self.values["InsideRule"] == 0 and self.values["WindingThreshold"] == 0.5
+        return self.values["Coverage"] != CENTER or (
+            bool(self.values["GenerateInside"]) and not is_plain)
 
     def check_union(self):
         if self.value("GenerateNearestCells"):
@@ -636,8 +666,8 @@ class WindingNumberField(ImageAlgorithm):
                 self.verification = self.verify(
                     self.field, grid, extent, results.views["winding"])
         results.add_to(attributes)
+        if self._shows_inside():
+            attributes.SetActiveScalars("Inside")
         if count:
-            at_cells = attributes.IsA("vtkCellData")
-            self.add_nearest_cells(
-                data, centres_of(image) if at_cells else points_of(image), attributes)
+            self.add_nearest_cells(data, image, attributes)
         self.describe(image)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Winding authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Winding Number Normals: the areas that points stand for, and their normals."""
+"""Winding Number Normals: areas of points, and their normals."""
 
 import ctypes
 
@@ -114,6 +114,8 @@ class WindingNumberNormals(Algorithm):
                     "the points have no normals: use Estimate Normals, or compute oriented ones "
                     "first; without them nothing tells inside from outside")
             normals, estimate, notes = np.empty((count, 3), np.float32), _library.Estimate(), []
+            if parts.views is not None:
+                normals[:], options.look_at_viewpoints = parts.views, True
             self.call("winding_estimate_normals", _library.array_of(points), ctypes.byref(options),
                       RUN, pointer(normals), pointer(areas), ctypes.byref(estimate),
                       note=notes.append)

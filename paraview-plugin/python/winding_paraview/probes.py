@@ -245,8 +245,7 @@ class WindingNumberProbe(ProbeAlgorithm):
                     attributes.SetActiveScalars(array.GetName())
             if adds_fractions:
                 answer.GetCellData().AddArray(copied("Fraction", next(fractions)))
-            self.add_nearest_cells(
-                self.source, centres_of(leaf) if at_cells else points_of(leaf), attributes)
+            self.add_nearest_cells(self.source, leaf, attributes)
             if extracts:
                 answer = inside_part(answer, inside[start:start + count] != 0, at_cells=at_cells)
             self.describe(answer)

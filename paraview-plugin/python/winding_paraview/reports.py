@@ -58,19 +58,23 @@ class WindingNumberReport(Algorithm):
 
     def __init__(self):
         super().__init__(nInputPorts=1, nOutputPorts=2, outputType="vtkPolyData")
-        self.advice = ""
+        self.advice = []  # a text for each point
         self.fractional_share = 0.0
 
     def GetAdvice(self):
-        return self.advice
+        return "; ".join(self.advice)
 
     def GetAdviceInLines(self):
         lines = []
-        for word in self.advice.split():
-            if lines and len(lines[-1]) + 1 + len(word) <= _IN_LINE:
-                lines[-1] += " " + word
-            else:
-                lines.append(word)
+        for number, advice in enumerate(self.advice, 1):
+            length = _IN_LINE
+            for word in (advice + (";" if number < len(self.advice) else "")).split():
+                fits = length + 1 + len(word) <= _IN_LINE
+                if fits:
+                    lines[-1] += " " + word
+                else:
+                    lines.append(word)
+                length = len(lines[-1])
         return "\n".join(lines)
 
     def GetFractionalShare(self):
@@ -95,7 +99,7 @@ class WindingNumberReport(Algorithm):
         ranks = Ranks()
         asked = max(0, request.Get(Pipeline.FROM_OUTPUT_PORT()))
         piece = outputs.GetInformationObject(asked).Get(Pipeline.UPDATE_PIECE_NUMBER())
-        self.advice, self.fractional_share = "", 0.0
+        self.advice, self.fractional_share = [], 0.0
         if ranks.are_alone and piece:
             return 1
         with self.reporting(output, ranks=ranks):
@@ -168,8 +172,8 @@ class WindingNumberReport(Algorithm):
         add_number(output, "non_finite", report.non_finite, np.int64)
         add_number(output, "invalid_ids", report.invalid_ids, np.int64)
         self.fractional_share = float(np.nan_to_num(report.fractional_share))
-        self.advice = "; ".join([*advice, *notes])
-        add_text(output, "advice", self.advice)
+        self.advice = [*advice, *notes]
+        add_text(output, "advice", self.GetAdvice())
         if fixed is not None and report.one_sided_components:
             parts_have = "part has" if report.one_sided_components == 1 else "parts have"
             self.warn(f"{report.one_sided_components} {parts_have} one side only, and stay as they "
@@ -187,8 +191,8 @@ class WindingNumberReport(Algorithm):
         for name in _MEASURES_OF_CLOUD:
             add_number(output, name, getattr(report, name))
         add_number(output, "bbox", list(report.bbox))
-        self.advice = "; ".join(advice)
-        add_text(output, "advice", self.advice)
+        self.advice = advice
+        add_text(output, "advice", self.GetAdvice())
         for name, count in (fixed or {}).items():
             add_number(output, name, count, np.int64)
 

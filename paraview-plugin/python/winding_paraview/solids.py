@@ -3,6 +3,7 @@
 """Winding Number Labels: the solids of an input, and the voxels that are in them."""
 
 import ctypes
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -10,8 +11,6 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet,
-    vtkMultiBlockDataSet,
-    vtkPartitionedDataSetCollection,
     vtkPointSet,
     vtkPolyData,
 )
@@ -29,8 +28,8 @@ from vtkwinding._regions import (
 )
 from vtkwinding._sources import have_directions
 
-from .algorithm import RUN, copied, declared, new_array, pointer
-from .grids import FRACTION, ImageAlgorithm, sample_count, take_better
+from .algorithm import RUN, copied, declared, legend_of, new_array, pointer
+from .grids import FRACTION, ImageAlgorithm, sample_count, take_better, whole_extent
 from .sources import (
     AREAS_OF_ARRAY,
     Parts,
@@ -46,6 +45,7 @@ from .sources import (
 _MOST = 65535
 _LARGEST = 2  # winding number, an overlap rule
 _EACH_LABEL = 1
+_MOST_LINES = 20  # of volumes
 VTK_UNSIGNED_SHORT = 5
 
 
@@ -60,37 +60,6 @@ def _label(number, what, remedy):
     if not 1 <= number <= _MOST:
         raise WindingError(f"labels are 1 to 65535: {remedy}; {what} would get {number}")
     return int(number)
-
-
-def blocks_of(composite):
-    """Returns the blocks of composite data that are solids: names, and data objects or None."""
-    found = []
-
-    def name_of(about, number):
-        key = vtkCompositeDataSet.NAME()
-        name = about.Get(key) if about is not None and about.Has(key) else ""
-        return name or f"Block {number}"
-
-    def add(block, about):
-        if isinstance(block, vtkMultiBlockDataSet):
-            add_blocks(block)
-        else:
-            found.append((name_of(about, len(found) + 1), block))
-
-    def add_blocks(blocks):
-        for i in range(blocks.GetNumberOfBlocks()):
-            add(blocks.GetBlock(i), blocks.GetMetaData(i) if blocks.HasMetaData(i) else None)
-
-    if isinstance(composite, vtkMultiBlockDataSet):
-        add_blocks(composite)
-    elif isinstance(composite, vtkPartitionedDataSetCollection):
-        for i in range(composite.GetNumberOfPartitionedDataSets()):
-            add(composite.GetPartitionedDataSet(i),
-                composite.GetMetaData(i) if composite.HasMetaData(i) else None)
-    else:
-        for _, leaf in _datasets.leaves_of(composite):
-            add(leaf, None)
-    return found
 
 
 def _part_of(leaf, chosen):
@@ -127,13 +96,14 @@ class Solids:
             found = self._of_blocks(data)
         else:
             found = self._of_data_set(data)
-        self.solids, self.repeated_names = _with_own_names(found)
+        names, self.repeated_names = _datasets.own_names([solid.name for solid in found])
+        self.solids = [solid._replace(name=name) for solid, name in zip(found, names)]
 
     def _gathered(self, own):
         return gathered(own, self._ranks, self._filter.value("SourceDistribution"))
 
     def _of_blocks(self, composite):
-        blocks = blocks_of(composite)
+        blocks = _datasets.blocks_of(composite)
         if not self._ranks.same(len(blocks)):
             raise WindingError(sentence("otherBlocksOnRanks"))
         _check_blocks(blocks, self._options["as_points"])
@@ -269,7 +239,7 @@ class Solids:
 def _check_kind(data, as_points):
     """Refuses what is no source of solids."""
     if isinstance(data, vtkCompositeDataSet):
-        _check_blocks(blocks_of(data), as_points)
+        _check_blocks(_datasets.blocks_of(data), as_points)
     else:
         _check_leaf(data, "the input")
 
@@ -328,29 +298,17 @@ def _regions_of(data, name):
                          for value, is_face in zip(values, are_faces)], np.int64), texts
     if data.GetCellData().GetArray(name) is None:
         raise WindingError(sentence("regionsOfOtherType", name))
-    values = _datasets.array_of(data, array).astype(float)
-    with np.errstate(invalid="ignore"):
-        are_wrong = _are_faces(data) & ~((np.abs(values) < 1e9) & (values == np.floor(values)))
+    values = _datasets.array_of(data, array)
+    reals = values.astype(float)
+    most = 2.0**53 if values.dtype.kind == "f" else 2.0**63
+    are_whole = np.isfinite(reals) & (reals == np.floor(reals))
+    are_wrong = _are_faces(data) & ~(are_whole & (np.abs(reals) < most))
     if are_wrong.any():
         cell = int(np.flatnonzero(are_wrong)[0])
-        raise WindingError(sentence("regionIsNoInteger", name, f"{values[cell]:g}", cell))
-    return values, None
-
-
-def _with_own_names(solids):
-    """Returns the solids, with numbers behind names that are equal, and a count of these."""
-    every = {solid.name for solid in solids}
-    taken, found, repeated = set(), [], 0
-    for solid in solids:
-        name, number = solid.name, 2
-        while name in taken:
-            following = f"{solid.name} ({number})"
-            name = name if following in every else following
-            number += 1
-        taken.add(name)
-        repeated += name != solid.name
-        found.append(solid._replace(name=name))
-    return found, repeated
+        raise WindingError(sentence(
+            "regionIsTooLarge" if are_whole[cell] else "regionIsNoInteger", name,
+            f"{reals[cell]:g}", cell))
+    return np.where(are_whole & (np.abs(reals) < most), values, 0).astype(np.int64), None
 
 
 def _out_of(names, count):
@@ -358,23 +316,17 @@ def _out_of(names, count):
     return f"{len(names)} of {count} solid{'s' if count > 1 else ''} ({shown})"
 
 
-def legend_of(labels):
-    """Returns a line for each label of an image of labels, with its number and its name."""
-    facts = labels.GetFieldData()
-    values, names = facts.GetArray("LabelValues"), facts.GetAbstractArray("LabelNames")
-    count = values.GetNumberOfTuples() if values and names else 0
-    return "".join(f"{values.GetTuple1(n):.0f}\t{names.GetValue(n)}\n" for n in range(count))
-
-
 @declared
 class WindingNumberLabels(ImageAlgorithm):
     """The label of the solid that each voxel of a grid is in."""
+
+    has_several_sources = True
 
     def __init__(self):
         super().__init__()
         self.infos = []
         self.inside_out_count = 0
-        self.legend = ""
+        self.legend = self.volumes_in_words = ""
         self.input_names = {}
         self._kept = (None, None, None)
 
@@ -421,8 +373,15 @@ class WindingNumberLabels(ImageAlgorithm):
     def GetNumberOfInsideOutSolids(self):
         return self.inside_out_count
 
+    def check(self):
+        self.legend = self.volumes_in_words = ""
+        super().check()
+
     def GetLabelLegend(self):
         return self.legend
+
+    def GetVolumesInWords(self):
+        return self.volumes_in_words
 
     def active_scalar_type(self):
         return VTK_UNSIGNED_SHORT
@@ -456,7 +415,7 @@ class WindingNumberLabels(ImageAlgorithm):
         return solids, handles
 
     def unite_times(self, image, part):
-        known, legend = legend_of(image), legend_of(part)
+        known, legend = (legend_of(one.GetFieldData()) for one in (image, part))
         self.legend = known or legend
         if not known:
             image.ShallowCopy(part)
@@ -477,6 +436,7 @@ class WindingNumberLabels(ImageAlgorithm):
                                       for found in (others, all_arrays)))
             for name in ("FirstShare", "FirstLabel", "SecondShare", "SecondLabel"):
                 take_better(all_arrays, others, name, lambda theirs, ours: are_larger)
+        self._measure_solids(image)
 
     def check_source(self, data):
         _check_kind(data, bool(self.value("SourceAsPoints")))
@@ -529,7 +489,7 @@ class WindingNumberLabels(ImageAlgorithm):
         options = _library.LabelOptions(
             overlap_rule=self.value("OverlapRule"), coverage=self.value("Coverage"),
             coverage_samples=self.value("CoverageSamples"),
-            have_one_unit=self.GetNumberOfInputConnections(0) < 2)
+            have_one_unit=self.GetNumberOfInputConnections(0) < 2, mend_source=self.mends())
         if count:
             self.between(0.3, 1)
             self.evaluate(
@@ -578,4 +538,19 @@ class WindingNumberLabels(ImageAlgorithm):
         image.GetFieldData().AddArray(copied(
             "LabelValues", np.array([solid.label for solid in solids], np.uint16)))
         image.GetFieldData().AddArray(names)
-        self.legend = legend_of(image)
+        self.legend = legend_of(image.GetFieldData())
+        self._measure_solids(image)
+
+    def _measure_solids(self, image):
+        """Adds the volumes of the voxels of each label."""
+        facts = image.GetFieldData()
+        labels = vtk_to_numpy(self._attributes_of(image).GetArray("Label"))
+        counts = np.bincount(labels, minlength=65536)
+        values = vtk_to_numpy(facts.GetArray("LabelValues"))
+        volumes = abs(math.prod(image.GetSpacing())) * counts[values]
+        facts.AddArray(copied("LabelVolumes", volumes.astype(np.float64)))
+        names = facts.GetAbstractArray("LabelNames")
+        lines = [f"{names.GetValue(n)}: {volume:.4g}" for n, volume in enumerate(volumes)]
+        more = [f"and {len(lines) - _MOST_LINES} more"] if len(lines) > _MOST_LINES else []
+        is_whole = image.GetNumberOfPoints() >= sample_count(whole_extent(self.grid))
+        self.volumes_in_words = "\n".join(lines[:_MOST_LINES] + more) if is_whole else ""

@@ -24,7 +24,7 @@ from vtkwinding import _datasets, _library, _options, fields
 from vtkwinding._attributes import Attributes
 from vtkwinding._errors import WindingError
 from vtkwinding._library import polygons_of, sentence
-from vtkwinding._parts import level_of
+from vtkwinding._parts import centres_of, level_of
 from vtkwinding._sources import framed, source_of
 
 from .algorithm import (
@@ -116,11 +116,12 @@ def ask_for_part(info, ranks, distribution):
 class Parts:
     """What a field is made of, of all ranks: arrays of points, and of polygons for a surface."""
 
-    NAMES = ("points", "corners", "offsets", "normals", "areas")
+    NAMES = ("points", "corners", "offsets", "normals", "areas", "views")
 
-    def __init__(self, points, corners=None, offsets=None, normals=None, areas=None, notes=()):
+    def __init__(self, points, corners=None, offsets=None, normals=None, areas=None, views=None,
+                 notes=()):
         self.points, self.corners, self.offsets = points, corners, offsets
-        self.normals, self.areas, self.notes = normals, areas, list(notes)
+        self.normals, self.areas, self.views, self.notes = normals, areas, views, list(notes)
         self.are_lines = False  # of a rank, which no field is made of
 
     @property
@@ -195,10 +196,12 @@ def cloud_of(filter, leaves, areas, notes=()):
         normals.append(by_mesh[0] if leaf.normals is None and by_mesh else leaf.normals)
         found_areas.append(by_mesh[1] if areas == AREAS_OF_MESH else leaf.areas)
     has_areas = bool(leaves) and all(one is not None for one in found_areas)
+    has_views = bool(leaves) and all(leaf.views is not None for leaf in leaves)
     return Parts(
         np.concatenate([leaf.points for leaf in leaves]) if leaves else np.empty((0, 3)),
         normals=np.concatenate(normals) if leaves and not lacks_normals else None,
-        areas=np.concatenate(found_areas) if has_areas else None, notes=notes)
+        areas=np.concatenate(found_areas) if has_areas else None,
+        views=np.concatenate([leaf.views for leaf in leaves]) if has_views else None, notes=notes)
 
 
 def vertices_of(filter, leaf):
@@ -240,7 +243,7 @@ def gathered(parts, ranks, distribution):
         joined.corners = np.concatenate([ids + start for ids, start in zip(corners, starts)])
         joined.offsets = np.concatenate([[0], np.cumsum(np.concatenate(sizes))]).astype(np.int64)
     if is_cloud:
-        for name, width in (("normals", 3), ("areas", 1)):
+        for name, width in (("normals", 3), ("areas", 1), ("views", 3)):
             own = getattr(parts, name)
             lacks = ranks.gather(np.array([own is None and len(parts.points) > 0]))
             if any(one.any() for one in lacks):
@@ -262,6 +265,7 @@ class SourceAlgorithm(Algorithm):
     """A filter of the field of a source."""
 
     is_scattered = False
+    has_several_sources = False  # with the same options, so that one may be for some of them
     frame = None  # of an image whose coordinates the field has, as _parts of vtkwinding has it
     works_on_first_rank = False
 
@@ -283,11 +287,14 @@ class SourceAlgorithm(Algorithm):
         except WindingError as error:
             raise type(error)(str(error).replace(
                 "transfer_attributes=False, nearest_cells=False",
-                "Transfer Attributes off, Generate Nearest Cells off")) from error
+                "Transfer Attributes off")) from error
 
-    def add_nearest_cells(self, data, places, attributes):
-        """Adds the ids of the cells that are nearest to places, if they are asked for."""
+    def add_nearest_cells(self, data, to, attributes):
+        """Adds the ids of the cells that are nearest to the points or cells of a data set, if they
+        are asked for, to its `attributes`."""
         if self.value("GenerateNearestCells"):
+            at_cells = attributes.IsA("vtkCellData")
+            places = centres_of(to) if at_cells else _datasets.points_of(to)
             numbers = self.nearest(data, transfer=False, numbers=True).numbers_at(places)
             for name, values in numbers.items():
                 attributes.AddArray(copied(name, values))
@@ -346,6 +353,10 @@ class SourceAlgorithm(Algorithm):
         if elapsed > 1 and share > 0:
             self.expected_seconds = self.prepare_seconds + elapsed / share
 
+    def mends(self):
+        """Returns whether sources are mended, as filters do that make solids."""
+        return bool(self.values.get("MendSource", 0))
+
     def source_options(self):
         """Returns what parts_of() needs to know."""
         return {"as_points": bool(self.value("SourceAsPoints")),
@@ -368,14 +379,15 @@ class SourceAlgorithm(Algorithm):
         leaves = [] if data is None else [
             (leaf.GetAddressAsString(""), _datasets.modified_time(leaf))
             for _, leaf in _datasets.leaves_of(data)]
-        return leaves, [self.values[name] for name in names]
+        return leaves, [self.mends(), *(self.values[name] for name in names)]
 
-    def prepare(self, data, ranks):
+    def prepare(self, data, ranks, *, says=True):
         """Makes the field of a source, unless it is there already. Returns whether it is this
-        rank's to work on."""
+        rank's to work on. Warns of the source, unless that is left to a later call."""
         key = self.key_of(data)
         has = key == self.field_key
         self.prepare_seconds = 0.0
+        self.SetProgressText("Preparing")
         if not (ranks.same(int(has)) and has):
             self.field = self.field_key = None
             start = time.perf_counter()
@@ -392,7 +404,7 @@ class SourceAlgorithm(Algorithm):
         self.between(PROGRESS_OF_FIELD, 1)
         self.info = _library.FieldInfo()
         _library.call("winding_describe", self.field.pointer, ctypes.byref(self.info))
-        if self.field_notes:
+        if self.field_notes and says:
             self.warn("; ".join(self.field_notes))
         return True
 
@@ -405,7 +417,9 @@ class SourceAlgorithm(Algorithm):
             parts = framed(parts, self.frame)
         method = self.value("PointAreaMethod")
         is_constant = method == CONSTANT_AREA
+        is_seen = parts.normals is None and parts.views is not None
         options = _library.Options(
+            look_at_viewpoints=is_seen,
             method=self.value("Method"), tolerance=self.value("Tolerance"),
             regularization=self.value("Regularization"),
             point_area=self.value("PointArea") if is_constant else 0,
@@ -417,7 +431,8 @@ class SourceAlgorithm(Algorithm):
             weld_tolerance=self.value("WeldTolerance"),
             **self.completion(), sheet_side=_options.words("Sheet Side", self.values["SheetSide"]),
             orient_faces=bool(self.value("OrientFaces")),
-            ignore_open_parts=bool(self.value("IgnoreOpenParts")), scattered=self.is_scattered)
+            ignore_open_parts=bool(self.value("IgnoreOpenParts")), scattered=self.is_scattered,
+            is_one_of_several=self.has_several_sources, mend_source=self.mends())
         handle = _library.Handle("winding_field_free")
         points = _library.array_of(parts.points)
         rest = (ctypes.byref(options), RUN, ctypes.byref(handle.pointer))
@@ -425,7 +440,8 @@ class SourceAlgorithm(Algorithm):
             polygons = polygons_of(parts.corners, parts.offsets)
             self.call("winding_faces", points, ctypes.byref(polygons), *rest, note=note)
         else:
-            self.call("winding_points", points, _library.array_of(parts.normals),
+            self.call("winding_points", points,
+                      _library.array_of(parts.views if is_seen else parts.normals),
                       _library.array_of(parts.areas), *rest, note=note)
         return handle
 
@@ -445,6 +461,7 @@ class SourceAlgorithm(Algorithm):
         """Calls a function that evaluates the field, and takes its time."""
         start = time.perf_counter()
         self.expected_seconds = 0.0
+        self.SetProgressText("Evaluating")
         self.call(name, *arguments)
         self.evaluate_seconds = time.perf_counter() - start
         if self.expected_seconds == 0:

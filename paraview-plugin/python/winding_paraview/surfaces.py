@@ -17,7 +17,7 @@ from vtkwinding._attributes import Attributes
 from vtkwinding._errors import WindingError
 from vtkwinding._library import sentence
 
-from .algorithm import RUN, Algorithm, copied, declared, new_array
+from .algorithm import RUN, Algorithm, copied, declared, legend_of, new_array
 from .grids import VTK_UNSIGNED_CHAR, GridAlgorithm, sample_count, whole_extent
 from .ranks import Ranks
 from .sources import kind_of
@@ -50,9 +50,18 @@ class SurfaceAlgorithm(GridAlgorithm):
     """A filter of the surface of solids, and of an image of the samples as second output."""
 
     works_on_first_rank = True
+    measures_input = False
 
     def __init__(self, ports=1):
         super().__init__("vtkPolyData", ports, outputs=2)
+        self.solid_in_words = ""
+
+    def check(self):
+        self.solid_in_words = ""
+        super().check()
+
+    def GetSolidInWords(self):
+        return self.solid_in_words
 
     def make(self, data, ranks, output, image):
         """Makes the surface of a source, and the image if it is asked for."""
@@ -124,7 +133,7 @@ class SurfaceAlgorithm(GridAlgorithm):
     def surface_options(self, **shape):
         precision = self.value("OutputPointsPrecision")  # single, double, automatic
         return _library.SurfaceOptions(
-            features=self.value("Features"),
+            features=self.value("Features"), mend_source=self.mends(),
             generate_triangles=bool(self.value("GenerateTriangles")),
             close_border=bool(self.value("CloseBorder")),
             generate_normals=bool(self.value("GenerateNormals")), type=(1, 2, 0)[precision],
@@ -138,9 +147,16 @@ class SurfaceAlgorithm(GridAlgorithm):
             if arrays[name] is None:
                 arrays[name] = np.empty((0, 3), np.float32)
         polydata_of(arrays, output=output)
+        self.solid_in_words = arrays["solid_in_words"]
         if self.value("GenerateNormals"):
             attributes = output.GetCellData() if of_faces else output.GetPointData()
             attributes.SetNormals(copied("Normals", arrays[names[1]], 3))
+        measures = {"Closed": (arrays["closed"], np.uint8), "Parts": (arrays["parts"], np.int64),
+                    "Volume": (arrays["volume"], np.float64)}
+        if self.measures_input:
+            measures["InputVolume"] = (arrays["input_volume"], np.float64)
+        for name, (value, dtype) in measures.items():
+            output.GetFieldData().AddArray(copied(name, np.array([value], dtype)))
         if arrays["inside"] is not None:
             image.SetDimensions(*self.grid.dimensions)
             image.SetOrigin(*self.grid.origin)
@@ -152,6 +168,8 @@ class SurfaceAlgorithm(GridAlgorithm):
 class WindingNumberSurface(SurfaceAlgorithm):
     """The surface between inside and outside."""
 
+    measures_input = True
+
     def __init__(self):
         super().__init__()
         self.fidelity_in_words = ""
@@ -160,16 +178,19 @@ class WindingNumberSurface(SurfaceAlgorithm):
         return self.fidelity_in_words
 
     def reach_beyond_source(self):
-        return _options.reach(self.value("Offset"), self.value("Shell"), self.value("ShellSide"))
+        return _options.reach(**self._shape())
+
+    def _shape(self):
+        return {"fill_cavities": bool(self.value("FillCavities")),
+                "gap_width": self.value("GapWidth"), "offset": self.value("Offset"),
+                "shell": self.value("Shell"), "shell_side": self.value("ShellSide")}
 
     def make(self, data, ranks, output, image):
         self.fidelity_in_words = ""
         if not self.prepare(data, ranks):
             return False
         samples = sample_count(whole_extent(self.grid))
-        options = self.surface_options(
-            fill_cavities=bool(self.value("FillCavities")), offset=self.value("Offset"),
-            shell=self.value("Shell"), shell_side=self.value("ShellSide"))
+        options = self.surface_options(**self._shape())
         needed = self.bytes_of_surface(self.field, self.rule(), options)
         self.expect(samples, bool(self.value("GenerateDistanceToInput")), needed)
         mesh = _library.Handle("winding_mesh_free")
@@ -254,6 +275,10 @@ class WindingNumberVoxels(Algorithm):
         # By points, then by cells; what is active.
         self.SetInputArrayToProcess(
             0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS_THEN_CELLS, 0)
+        self.legend = ""
+
+    def GetLabelLegend(self):
+        return self.legend
 
     def FillInputPortInformation(self, port, info):
         if port == 0:
@@ -322,6 +347,7 @@ class WindingNumberVoxels(Algorithm):
             raise WindingError(sentence("otherArrayLength", array.GetName(), len(values), total))
         by_label = self.value("ByLabel")
         are_labels = by_label == 1 or (by_label == 2 and self._are_called_labels(array, values))
+        self.legend = legend_of(image.GetFieldData()) if are_labels else ""
         voxels = self._labels(array, values) if are_labels else self._sides(values)
         grid = _library.Grid((ctypes.c_double * 3)(0, 0, 0), (ctypes.c_double * 3)(1, 1, 1),
                              (ctypes.c_int32 * 3)(*counts))
