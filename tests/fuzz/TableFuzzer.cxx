@@ -28,13 +28,14 @@ struct Read
   std::string refusal;
 };
 
-Read read(const winding::InputFile& file, winding::TableOptions options)
+Read read(const fuzz::FuzzedFile& file, winding::TableOptions options)
 {
   Read result;
   options.texts = &result.texts;
   try
   {
-    result.table = winding::readPointTable(file, options, serial);
+    const winding::InputFile input(file.name().c_str());
+    result.table = winding::readPointTable(input, options, serial);
   }
   catch (const winding::FileRefusal& refusal)
   {
@@ -82,8 +83,7 @@ void requireWholeRows(const PointTable& table, const winding::TableOptions& opti
   }
   static const fuzz::FuzzedFile file(".joined");
   file.write(reinterpret_cast<const std::uint8_t*>(joined.data()), joined.size());
-  const winding::InputFile input(file.name().c_str());
-  const Read again = read(input, options);
+  const Read again = read(file, options);
   require(again.table.has_value());
   require(same(table.points.points.doubles, again.table->points.points.doubles));
   require(same(table.points.normals.doubles, again.table->points.normals.doubles));
@@ -99,15 +99,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   static const fuzz::FuzzedFile file(".csv");
   file.write(data, size);
-  const winding::InputFile input(file.name().c_str());
   winding::TableOptions options;
   options.separator = size % 4 == 3 ? '\t' : ',';
   options.normalsAndAreas = size % 3 != 0;
   options.rows = true;
   options.columns = size % 5 == 4 ? winding::ColumnChoice("x=1 y=2 z=3") : winding::ColumnChoice();
-  const Read whole = read(input, options);
+  const Read whole = read(file, options);
   options.bytesPerBlock = 1 + data[size / 2] % 64;
-  const Read inBlocks = read(input, options);
+  const Read inBlocks = read(file, options);
   require(whole.refusal == inBlocks.refusal);
   if (whole.table)
   {
