@@ -118,7 +118,8 @@ TEST(LevelSurface, IsOfAMendedSourceUnlessThatIsSwitchedOff)
   auto ofField = with(winding_options_init);
   EXPECT_EQ(ofField.mend_source, 0);
   ofField.mend_source = 1;
-  const std::string words = "faces were turned: have it as it came (mend_source = 0)";
+  const std::string words =
+    "faces were turned: if that is wrong, leave it as it came (mend_source = 0)";
   for (const Mesh& mesh : {box.reversed(), half})
   {
     for (const winding_options* given : {static_cast<winding_options*>(nullptr), &ofField})

@@ -45,7 +45,8 @@ class TestSurface(unittest.TestCase):
         warnings = warnings_of(surface)
         self.assertGreater(result(surface).GetNumberOfCells(), 1000)
         self.assertEqual(len(warnings), 1)
-        self.assertIn("faces were turned: have it as it came (Mend Source off)", warnings[0])
+        self.assertIn("faces were turned: if that is wrong, leave it as it came (Mend Source off)",
+                      warnings[0])
 
     def test_faces_that_look_inward_are_told(self):
         inverted = simple.ReverseSense(Input=unit_sphere())

@@ -32,7 +32,8 @@
 namespace
 {
 
-const std::string asItCame = "have it as it came (" + howTo({winding::Parameter::mendSource, 0});
+const std::string asItCame =
+  "if that is wrong, leave it as it came (" + howTo({winding::Parameter::mendSource, 0});
 
 /// The unit cube, its faces outward or inward.
 vtkSmartPointer<vtkPolyData> box(bool looksInward, double x = 0)

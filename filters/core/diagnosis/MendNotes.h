@@ -20,7 +20,7 @@ namespace winding
 /// Returns the remedy for a source that should not have been mended.
 inline Remedy asItCame()
 {
-  return {"have it as it came", {{Parameter::mendSource, 0}}};
+  return {"if that is wrong, leave it as it came", {{Parameter::mendSource, 0}}};
 }
 
 /// Returns whether a message proposes to turn faces, or to take them once.

@@ -337,6 +337,10 @@ Message thinPartsAdvice(
   {
     remedies.clear();
   }
+  if (parts.mayBeTwoWalls)
+  {
+    remedies.insert(remedies.begin(), {"see whether it has two walls", {Parameter::surfaceReport}});
+  }
   remedies.insert(remedies.end(), touching.begin(), touching.end());
   return Message(parts.areMany() ? what + " are thinner than a voxel"
                                  : std::string("the grid is too coarse for the ") +

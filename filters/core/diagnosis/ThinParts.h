@@ -46,6 +46,7 @@ struct ThinParts
   double sourceVolume = 0;        ///< or 0 if it is not known
   std::size_t pieces = 0;         ///< of the result, or 0 if that is not known
   std::size_t sourcePieces = 0;   ///< closed parts of the source
+  bool mayBeTwoWalls = false;     ///< whether a hollow may lie between walls of the source
 
   /// Returns whether a twentieth of the surface or more is lost, or a twelfth is thinner than a
   /// voxel.

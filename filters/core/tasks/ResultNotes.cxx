@@ -3,6 +3,7 @@
 #include "tasks/ResultNotes.h"
 
 #include "diagnosis/GridAdvice.h"
+#include "report/Hollow.h"
 
 namespace winding
 {
@@ -46,6 +47,11 @@ void warnOfGrid(const Field& field, const Grid& grid, const ResultOnGrid& result
   if (!facing.looksInward && !result.takesTouchedVoxels)
   {
     found.parts = diagnosis.thinParts(grid, result.isInside, isInside, run.executor);
+    // Models of several parts enclose places between these.
+    constexpr std::size_t mostPieces = 2;
+    found.parts->mayBeTwoWalls = found.parts->areMany() && diagnosis.pieces() <= mostPieces &&
+                                 diagnosis.hasEnclosedPoints(run.executor) &&
+                                 thicknessOfWalls(field, isInside, run.executor) > 0;
   }
   // Volumes of several solids in one place add up, and a grid may cut a part off.
   const bool hasVolume = result.volume > 0 && result.sides.several + result.sides.negative == 0 &&

@@ -359,50 +359,61 @@ bool warnOfWalls(const WallSamples& walls, const Grid& grid, double volume, doub
   return isLoss;
 }
 
-/// Warns of walls that a shape leaves thinner than a voxel, and of voids of its shell.
-void warnOfShape(const Field& field, const Grid& grid, const LevelEdges& edges, double volume,
-  const SurfaceOptions& options, Run& run)
+/// Warns of walls that a shape leaves thinner than a voxel, and of voids that its shell should
+/// leave in the `solid`.
+void warnOfShape(const Field& field, const Grid& grid, const LevelEdges& edges,
+  const LevelEdges& solid, double volume, const SurfaceOptions& options, Run& run)
 {
   const DistanceBand band = options.shape.band();
   const bool isShell = options.shape.shell > 0;
+  bool isLoss = false;
   const double moved = isShell ? band.low : band.high;
   if (moved < 0 && field.info().jumpsOnly())
   {
     WallSamples walls = field.diagnosis().boundingWalls(options.isInside, run.executor);
     walls.move(moved);
-    warnOfWalls(
+    isLoss = warnOfWalls(
       walls, grid, volume, 1,
       [&](int i, int j, int k) {
         return edges.isSampleInside({i, j, k}) != isShell;
       },
       isShell ? "voids" : "parts of the result", run);
   }
+  if (!isLoss && isShell && band.high == 0 && edges.size() == solid.size())
+  {
+    run.warn({"the shell fills the solid, so there is no void",
+      {{"choose a thinner shell", {Parameter::shell}}}});
+  }
 }
 
-/// Warns of cavities that are not filled: openings let the outside in, or may do so.
-void warnOfOpenCavities(const Field& field, const Grid& grid, const SurfaceOptions& options,
+/// Warns of cavities that are not filled: openings let the outside in, or may do so. Returns
+/// whether it warned.
+bool warnOfOpenCavities(const Field& field, const Grid& grid, const SurfaceOptions& options,
   std::size_t cavities, Run& run)
 {
   const double voxel = grid.spacing.maxCoeff(), gapWidth = options.shape.gapWidth;
   if (!options.shape.fillsCavities)
   {
-    return;
+    return false;
   }
   if (gapWidth > 0 && 2 * voxel > gapWidth)
   {
     run.warn({"voxels are longer than half of the gap width, so gaps may stay open",
       {smallerVoxels(), {"choose wider gaps", {Parameter::gapWidth}}},
       joined("they are ", inDigits(voxel, 3), " long")});
+    return true;
   }
-  else if (cavities == 0)
+  if (cavities == 0)
   {
     const auto hollow = findHollow(field, options.isInside, run.executor, voxel / 2);
     if (hollow && hollow->gapWidth > gapWidth)
     {
       run.warn({"no cavity was filled", {hollow->remedy()},
         "the outside reaches in by openings up to about " + inDigits(hollow->opening, 1)});
+      return true;
     }
   }
+  return false;
 }
 
 } // namespace
@@ -487,8 +498,6 @@ SurfaceResult makeSurface(
   const ShapedSolid shaped(field, grid, options.isInside, field.info().tolerance, *edges,
     foundRoots(), shape, options.features == Features::sharp, run.executor);
   result.cavities = shaped.cavities();
-  // Walls of cavities that gaps lead to do not matter any more.
-  onGrid.withoutAdvice = shape.gapWidth > 0 && result.cavities > 0;
   if (shaped.isTight())
   {
     run.warn({"the grid is too tight to close gaps",
@@ -498,8 +507,10 @@ SurfaceResult makeSurface(
   }
   else
   {
-    warnOfOpenCavities(field, grid, options, result.cavities, run);
+    onGrid.withoutAdvice = warnOfOpenCavities(field, grid, options, result.cavities, run);
   }
+  // Walls of cavities do not matter where gaps that lead to them are closed.
+  onGrid.withoutAdvice |= shape.gapWidth > 0 && result.cavities > 0;
   result.distancesFrom = shaped.base();
   result.surfaceTree = shaped.surfaceTree();
   const bool isAllInside = shaped.edges().areAllInside();
@@ -516,7 +527,7 @@ SurfaceResult makeSurface(
   warnOfSource();
   if (!advice && insideMatters && !result.facing.looksInward && result.cavities == 0)
   {
-    warnOfShape(field, grid, shaped.edges(), volume, options, run);
+    warnOfShape(field, grid, shaped.edges(), *edges, volume, options, run);
   }
   return result;
 }

@@ -100,11 +100,13 @@ struct KeptRun
 {
   winding::SerialExecutor executor;
   std::vector<std::string> faults, facts;
+  std::vector<std::string> firstRemedies; ///< in words, by message; empty where there is none
   winding::Run run{executor,
     [this](const winding::Message& message)
     {
       faults.push_back(message.fault);
       facts.push_back(message.facts);
+      firstRemedies.push_back(message.remedies.empty() ? "" : message.remedies.front().words);
     },
     {}};
 
@@ -451,6 +453,19 @@ TEST(SurfaceTask, WarnsOfVoidsThatAShellShouldLeave)
                             : std::vector<std::string>());
     EXPECT_EQ(sink.pieces(), resolution == 66 ? 1u : 2u);
   }
+  options.shape.shell = 3;
+  KeptRun full;
+  KeepingSink filled;
+  winding::makeSurface(
+    *field, gridAround(field->info().bounds, 66, 0.05), options, filled, full.run);
+  EXPECT_EQ(
+    full.faults, std::vector<std::string>{"the shell fills the solid, so there is no void"});
+  EXPECT_EQ(filled.pieces(), 1u);
+  options.shape.shellSide = winding::ShellSide::centered; // it lies outside, too
+  KeptRun outside;
+  winding::makeSurface(
+    *field, gridAround(field->info().bounds, 66, 0.5), options, filled, outside.run);
+  EXPECT_EQ(outside.faults, std::vector<std::string>());
   options.shape = {};
   options.shape.offset = -0.9;
   KeptRun run;
@@ -458,6 +473,51 @@ TEST(SurfaceTask, WarnsOfVoidsThatAShellShouldLeave)
   winding::makeSurface(*field, gridAround(field->info().bounds, 66, 0.05), options, sink, run.run);
   ASSERT_FALSE(run.faults.empty());
   EXPECT_EQ(run.faults.front(), "nothing is left of the solid, so the surface is empty");
+}
+
+/// At the resolution that is proposed nothing is said any more.
+TEST(SurfaceTask, ProposesAResolutionThatKeepsAShell)
+{
+  const auto field = fieldOf(icosphere(3));
+  winding::SurfaceOptions options;
+  options.shape.shell = 0.05;
+  KeptRun coarse, fine;
+  KeepingSink sink;
+  const winding::Bounds& bounds = field->info().bounds;
+  winding::makeSurface(*field, gridAround(bounds, 40, 0.05), options, sink, coarse.run);
+  EXPECT_EQ(coarse.faults,
+    std::vector<std::string>{"the shell is thinner than a voxel's diagonal, so it may have holes"});
+  ASSERT_GT(coarse.proposed(), 40);
+  winding::makeSurface(
+    *field, gridAround(bounds, coarse.proposed(), 0.05), options, sink, fine.run);
+  EXPECT_EQ(fine.faults, std::vector<std::string>());
+  EXPECT_EQ(sink.pieces(), 2u);
+}
+
+TEST(SurfaceTask, AsksForTheReportWhereAHollowMayLieBetweenWalls)
+{
+  const Mesh ball = icosphere(4);
+  const std::string look = "see whether it has two walls";
+  for (const bool isOpen : {true, false})
+  {
+    const auto openings =
+      isOpen ? std::vector<std::size_t>{7, 1234, 3200} : std::vector<std::size_t>();
+    const auto field = fieldOf(isOpen ? doubleWalls(ball, 0.98, openings) : plate(0.5, 0.3));
+    const winding::Grid coarse = gridAround(field->info().bounds, 40, 0.05);
+    KeptRun run;
+    KeepingSink sink;
+    winding::makeSurface(*field, coarse, {}, sink, run.run);
+    ASSERT_EQ(run.faults, std::vector<std::string>{"parts are thinner than a voxel"});
+    EXPECT_EQ(run.firstRemedies.front() == look, isOpen);
+    if (isOpen)
+    {
+      winding::SurfaceOptions options;
+      options.shape.fillsCavities = true;
+      KeptRun filling;
+      winding::makeSurface(*field, coarse, options, sink, filling.run);
+      EXPECT_EQ(filling.faults, std::vector<std::string>{"no cavity was filled"});
+    }
+  }
 }
 
 TEST(BooleanTask, WarnsOfThinPartsOfTheResult)
