@@ -2,8 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs fuzzers, as many at a time as there are processors, and prints a line on each.
 
-Usage: run.py <folder of the fuzzers> <folder for corpora> <folder for failing cases> <seconds>
+Usage: run.py <folder of the fuzzers> <folder for corpora> <folder for failing cases> <length>
 [target…]
+
+The length is a number of seconds for each fuzzer, or a number of runs as 300x. Fuzzers of files
+take ten times as many runs, for these are shorter. With a seed in WINDING_FUZZ_SEED, runs by number
+on the same corpora find the same on every machine.
 
 A corpus is made by seeds.py, grows with every run, and is begun with the regressions of the target
 in regressions/<target>, which regressions/README.md tells about. Fails if any fuzzer does.
@@ -73,22 +77,29 @@ def figure(log, name):
     return int(found[1]) if found else 0
 
 
-def fuzz(programs, corpora, failures, seconds, target):
+def limit(length, target):
+    """The option that ends a fuzzer."""
+    if not length.endswith("x"):
+        return f"-max_total_time={length}"
+    return f"-runs={int(length[:-1]) * (10 if FILES_OF.get(target) else 1)}"
+
+
+def fuzz(programs, corpora, failures, length, target):
     corpus, kept = corpora / target, failures / target
     fill(corpus, target)
     kept.mkdir(parents=True, exist_ok=True)
     regressions = HERE / "regressions" / target
     folders = [corpus] + ([regressions] if regressions.is_dir() else [])
-    length = 4096 if target in FILES_OF else 512
+    largest = 4096 if target in FILES_OF else 512
     seed = os.environ.get("WINDING_FUZZ_SEED")
     run = subprocess.run(
         [
             programs / f"fuzz_{target}",
-            f"-max_total_time={seconds}",
+            limit(length, target),
             "-timeout=10",
             "-rss_limit_mb=3000",
             "-len_control=0",
-            f"-max_len={length}",
+            f"-max_len={largest}",
             "-print_final_stats=1",
             "-close_fd_mask=1",
             "-verbosity=1",
@@ -120,7 +131,7 @@ def fuzz(programs, corpora, failures, seconds, target):
 
 def main():
     programs, corpora, failures = (pathlib.Path(folder) for folder in sys.argv[1:4])
-    seconds = int(sys.argv[4])
+    length = sys.argv[4]
     found = sorted(path.name[5:] for path in programs.glob("fuzz_*"))
     targets = sys.argv[5:] or found
     unknown = set(targets) - set(found)
@@ -129,7 +140,7 @@ def main():
     good = True
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for fine, line in pool.map(
-            lambda target: fuzz(programs, corpora, failures, seconds, target), targets
+            lambda target: fuzz(programs, corpora, failures, length, target), targets
         ):
             print(line, flush=True)
             good = good and fine
