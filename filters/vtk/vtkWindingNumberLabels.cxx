@@ -308,7 +308,8 @@ void vtkWindingNumberLabels::MeasureSolids(vtkImageData* image)
 {
   winding::addLabelVolumes(image, this->GetAttributes(image));
   const winding::Extent whole = this->GetSampling().wholeExtent();
-  const bool isWhole = image->GetNumberOfPoints() >= winding::sampleCount(whole);
+  const bool isWhole =
+    image->GetNumberOfPoints() >= static_cast<vtkIdType>(winding::sampleCount(whole));
   this->VolumesInWords = isWhole ? winding::volumesInWords(image->GetFieldData()) : "";
 }
 
