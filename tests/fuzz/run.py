@@ -6,8 +6,8 @@ Usage: run.py <folder of the fuzzers> <folder for corpora> <folder for failing c
 [target…]
 
 The length is a number of seconds for each fuzzer, or a number of runs as 300x. Fuzzers of files
-take ten times as many runs, for these are shorter. With a seed in WINDING_FUZZ_SEED, runs by number
-on the same corpora find the same on every machine.
+take five times as many runs, for these are shorter. With a seed in WINDING_FUZZ_SEED, runs by
+number on the same corpora find the same on every machine.
 
 A corpus is made by seeds.py, grows with every run, and is begun with the regressions of the target
 in regressions/<target>, which regressions/README.md tells about. Fails if any fuzzer does.
@@ -77,11 +77,11 @@ def figure(log, name):
     return int(found[1]) if found else 0
 
 
-def limit(length, target):
-    """The option that ends a fuzzer."""
+def limits(length, target):
+    """The options that end a fuzzer. Runs by number may be on a busy machine."""
     if not length.endswith("x"):
-        return f"-max_total_time={length}"
-    return f"-runs={int(length[:-1]) * (10 if FILES_OF.get(target) else 1)}"
+        return f"-max_total_time={length}", "-timeout=10"
+    return f"-runs={int(length[:-1]) * (5 if FILES_OF.get(target) else 1)}", "-timeout=120"
 
 
 def fuzz(programs, corpora, failures, length, target):
@@ -95,8 +95,7 @@ def fuzz(programs, corpora, failures, length, target):
     run = subprocess.run(
         [
             programs / f"fuzz_{target}",
-            limit(length, target),
-            "-timeout=10",
+            *limits(length, target),
             "-rss_limit_mb=3000",
             "-len_control=0",
             f"-max_len={largest}",
