@@ -69,6 +69,7 @@ struct SolidShape
   ShellSide shellSide = ShellSide::inward;
 
   bool hasDistances() const { return offset != 0 || shell > 0; }
+  bool isShell() const { return shell > 0 && offset == 0 && !fillsCavities; }
   bool isPlain() const { return !fillsCavities && !this->hasDistances(); }
 
   DistanceBand band() const

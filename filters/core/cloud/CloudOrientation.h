@@ -6,6 +6,7 @@
 #include "source/PointCloud.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace winding
 {
@@ -26,7 +27,15 @@ struct CloudOrientation
   /// The orientation of the cloud with all normals turned round.
   CloudOrientation reversed() const { return {-before, -behind, inward, outward}; }
 
-  bool isInward() const { return inward > outward; }
+  /// Whether most normals point inward.
+  bool isInward() const { return inward > 0.5; }
+
+  /// Whether the points are an open sheet: w is about ½ behind and −½ before them.
+  bool isOfSheet() const
+  {
+    constexpr double about = 0.25;
+    return std::abs(behind - 0.5) < about && std::abs(before + 0.5) < about;
+  }
 
   /// Whether the field separates inside from outside nearly everywhere. The share of points with
   /// the field that they should have is 0.95 to 1 among the vertices of scans with right normals,

@@ -22,6 +22,14 @@ namespace winding
 namespace
 {
 
+/// Returns how far a field separates inside from outside, in words.
+std::string figuresOf(const CloudOrientation& orientation)
+{
+  return joined("w is about 1 behind and 0 before ", inPlaces(100 * orientation.outward, 0),
+    " % of the points, with medians of ", inPlaces(orientation.behind, 2), " and ",
+    inPlaces(orientation.before, 2));
+}
+
 Eigen::Vector3d inSingle(Eigen::Vector3d normal)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -271,13 +279,22 @@ Message keptNormals()
     {{"to estimate others, give the points alone", {Parameter::replacedNormals}}}};
 }
 
+Message contradictingNormals(const CloudOrientation& orientation)
+{
+  return {"normals contradict each other, so that points cancel",
+    {{"to estimate others, give the points alone", {Parameter::replacedNormals}}},
+    figuresOf(orientation)};
+}
+
 Message adviceOnNormals(const CloudOrientation& orientation)
 {
-  const std::string figures = joined("w is about 1 behind and 0 before ",
-    inPlaces(100 * orientation.outward, 0), " % of the points, with medians of ",
-    inPlaces(orientation.behind, 2), " and ", inPlaces(orientation.before, 2));
-  return {"estimated normals are not right everywhere",
-    {{"take more points", {}}, {"take normals from where the points come from", {}}}, figures};
+  std::vector<Remedy> remedies = {
+    {"take more points", {}}, {"take normals from where the points come from", {}}};
+  if (orientation.isOfSheet())
+  {
+    remedies = {{"name the side of the sheet that is inside", {Parameter::sheetSide}}};
+  }
+  return {"estimated normals are not right everywhere", remedies, figuresOf(orientation)};
 }
 
 } // namespace winding

@@ -75,6 +75,9 @@ Message opposedNormals(double share);
 /// Returns what users can do who ask for estimated normals of points that have some.
 Message keptNormals();
 
+/// Returns what users can do about given normals whose field is not clear, with figures.
+Message contradictingNormals(const CloudOrientation& orientation);
+
 /// Returns what users of estimated normals can do where their field is not clear, with figures.
 Message adviceOnNormals(const CloudOrientation& orientation);
 

@@ -4,7 +4,7 @@
 
 #include "base/Digits.h"
 #include "base/Evenly.h"
-#include "cloud/CloudOrientation.h"
+#include "cloud/OutwardNormals.h"
 #include "diagnosis/InsideOutAdvice.h"
 #include "diagnosis/MendNotes.h"
 #include "source/CoordinateOrder.h"
@@ -73,6 +73,13 @@ bool mayCancelSkin(const SampleLine& line, int copies)
          (line.facesBefore + line.facesBehind) / copies % 2 != 0;
 }
 
+/// Returns whether the outside lies before a point and the inside behind, as far as both ends of
+/// its line agree.
+bool isBound(const SampleLine& line, const InsideTest& isInside)
+{
+  return line.isClear() && isInside(line.behind) && !isInside(line.before);
+}
+
 /// Adds a place at some height above a point three times, for lines along each axis.
 void addAlongAxes(const SurfaceSample& point, double height, std::vector<SurfaceSample>& to)
 {
@@ -125,8 +132,9 @@ Diagnosis::Diagnosis(SurfaceFacts facts)
 {
 }
 
-Diagnosis::Diagnosis(const PointCloud& cloud, bool hasNoSides)
+Diagnosis::Diagnosis(const PointCloud& cloud, bool hasNoSides, bool areEstimated)
   : cloud_(&cloud)
+  , areNormalsEstimated_(areEstimated)
 {
   facts_.hasNoSides = hasNoSides;
 }
@@ -621,6 +629,50 @@ bool Diagnosis::looksMostlyInward(Executor& executor) const
   return std::any_of(balance.begin(), balance.end(), [](double sum) { return sum > 0; });
 }
 
+const CloudOrientation& Diagnosis::orientation(Executor& executor) const
+{
+  const std::lock_guard<std::recursive_mutex> lock(lock_);
+  if (!orientation_)
+  {
+    orientation_ = orientationOf(*cloud_, executor);
+  }
+  return *orientation_;
+}
+
+/// Finds out how a cloud faces, by the sides of its result.
+Facing Diagnosis::facingOfCloud(const SideCounts& sides, double threshold, Executor& executor) const
+{
+  Facing facing;
+  constexpr std::size_t few = 30; // single points have negative samples around them
+  if (few * sides.negative < sides.negative + sides.inside)
+  {
+    return facing;
+  }
+  const CloudOrientation& found = this->orientation(executor);
+  constexpr std::size_t fewest = 64; // points that make a surface
+  if (sides.negative > sides.inside && found.isInward())
+  {
+    facing.looksInward = facing.isInsideOut = true;
+    facing.warning = insideOutAdvice("normals", sides, threshold);
+  }
+  else if (areNormalsEstimated_ || cloud_->positions.size() < fewest)
+  {
+    // A warning has named estimated normals that are unclear.
+    facing.isOfSheets = found.isOfSheet();
+  }
+  else if (found.isOfSheet())
+  {
+    facing.isOfSheets = true;
+    facing.warning = openSheetsAdvice("the points", {Parameter::sheetSide});
+  }
+  else if (!found.isClear())
+  {
+    facing.contradicts = true;
+    facing.warning = contradictingNormals(found);
+  }
+  return facing;
+}
+
 Facing Diagnosis::facing(
   const SideCounts& sides, const InsideTest& isInside, Executor& executor) const
 {
@@ -630,18 +682,12 @@ Facing Diagnosis::facing(
   {
     return facing;
   }
-  bool areSheets = false;
   if (cloud_)
   {
-    const std::lock_guard<std::recursive_mutex> lock(lock_);
-    facing.looksInward = sides.negative > sides.inside;
-    if (facing.looksInward && !isInwardCloud_)
-    {
-      isInwardCloud_ = orientationOf(*cloud_, executor).isInward();
-    }
-    facing.looksInward = facing.looksInward && *isInwardCloud_;
+    return this->facingOfCloud(sides, isInside.threshold, executor);
   }
-  else if (100 * sides.negative < sides.negative + sides.inside)
+  bool areSheets = false;
+  if (100 * sides.negative < sides.negative + sides.inside)
   {
     // Small pockets of closed surfaces that cut themselves are common, small parts are meant.
     facing.looksInward = this->isClosed() && this->hasInwardPart(executor);
@@ -655,12 +701,12 @@ Facing Diagnosis::facing(
   if (facing.looksInward)
   {
     facing.isInsideOut = sides.negative > sides.inside;
-    facing.warning = insideOutAdvice(cloud_ ? "normals" : "faces", sides, isInside.threshold);
+    facing.warning = insideOutAdvice("faces", sides, isInside.threshold);
   }
   else if (areSheets && !facts_.openings.areWide())
   {
     facing.isOfSheets = true;
-    facing.warning = openSheetsAdvice();
+    facing.warning = openSheetsAdvice("parts", {});
   }
   return facing;
 }
@@ -681,7 +727,65 @@ std::optional<ThinParts> Diagnosis::thinParts(const Grid& grid,
   {
     countLostComponents(*facts_.distinct, grid, isSampleInside, parts);
   }
+  if (isSampleInside && !parts.areWorthTelling() && parts.lostComponents == 0)
+  {
+    this->findLost(grid, isSampleInside, isInside, parts, executor);
+  }
   return parts;
+}
+
+/// Finds a part that is far from all samples inside: a wall of a closed surface, or an open one.
+void Diagnosis::findLost(const Grid& grid, const IsSampleInside& isSampleInside,
+  const InsideTest& isInside, ThinParts& parts, Executor& executor) const
+{
+  const Surface& surface = *facts_.distinct;
+  const SurfaceSamples& points = this->points(executor);
+  if (!this->isClosed())
+  {
+    constexpr std::size_t mostPoints = 256;
+    double all = 0, unbound = 0;
+    for (const SurfaceSample& point : evenly(points.points, mostPoints))
+    {
+      all += point.weight;
+      unbound += isInsideWithinReach(grid, point.position, isSampleInside) ? 0 : point.weight;
+    }
+    parts.unboundShare = all > 0 ? unbound / all : 0;
+    return;
+  }
+  constexpr std::size_t few = 1 << 16, most = 2048;
+  std::vector<std::int32_t> triangles;
+  if (surface.triangles.size() <= few)
+  {
+    triangles.resize(surface.triangles.size());
+    std::iota(triangles.begin(), triangles.end(), 0);
+    triangles = chooseTriangles(surface, std::move(triangles), most);
+  }
+  else
+  {
+    for (const SurfaceSample& point : points.points)
+    {
+      triangles.push_back(point.triangle);
+    }
+  }
+  const std::vector<SurfaceSample> samples = this->affordable(
+    sampleTriangles(surface, trianglesOutOfReach(surface, triangles, grid, isSampleInside)),
+    executor);
+  if (samples.empty())
+  {
+    return;
+  }
+  const std::vector<SampleLine> lines = linesThrough(surface, samples, points, executor);
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    const double voxel = lines[i].wall / samples[i].normal.cwiseAbs().sum();
+    if (isBound(lines[i], isInside) && voxel > 0 && voxel < thinnest)
+    {
+      thinnest = voxel;
+      parts.lostPlace = samples[i].position;
+      parts.voxels = {voxel};
+    }
+  }
 }
 
 WallSamples Diagnosis::boundingWalls(const InsideTest& isInside, Executor& executor) const
@@ -691,10 +795,6 @@ WallSamples Diagnosis::boundingWalls(const InsideTest& isInside, Executor& execu
     return {};
   }
   WallSamples walls = this->walls(executor);
-  const auto isBound = [&](const SampleLine& line)
-  {
-    return line.isClear() && isInside(line.behind) && !isInside(line.before);
-  };
   const double scale = unitScale(facts_.distinct->bounds);
   for (SurfaceSample& point : walls.points)
   {
@@ -704,7 +804,7 @@ WallSamples Diagnosis::boundingWalls(const InsideTest& isInside, Executor& execu
   {
     for (SampleLine& line : walls.lines)
     {
-      line.wall = isBound(line) ? line.wall : std::numeric_limits<double>::infinity();
+      line.wall = isBound(line, isInside) ? line.wall : std::numeric_limits<double>::infinity();
     }
   }
   else if (!this->isClosed())
@@ -714,7 +814,7 @@ WallSamples Diagnosis::boundingWalls(const InsideTest& isInside, Executor& execu
     for (std::size_t i = 0; i < lines.points.size(); ++i)
     {
       all += lines.points[i].weight;
-      bounds += isBound(*lines.ofPoint(i)) ? lines.points[i].weight : 0;
+      bounds += isBound(*lines.ofPoint(i), isInside) ? lines.points[i].weight : 0;
     }
     for (double& share : walls.shares)
     {
@@ -760,6 +860,33 @@ std::vector<LineHit> Diagnosis::hits(
   const std::vector<SurfaceSample>& samples, Executor& executor) const
 {
   return hitsOfLines(*facts_.distinct, samples, this->points(executor), executor);
+}
+
+double Diagnosis::middleAtFaces(Executor& executor) const
+{
+  if (cloud_ || this->isClosed())
+  {
+    return 0.5;
+  }
+  const Surface& surface = *facts_.distinct;
+  constexpr std::size_t places = 32;
+  const double step = 1e-6 * surface.bounds.sizes().maxCoeff();
+  SampleBlock block;
+  for (const SurfaceSample& point : evenly(this->points(executor).points, places))
+  {
+    block.set(block.count++, point.position - step * point.normal);
+    block.set(block.count++, point.position + step * point.normal);
+  }
+  double values[SampleBlock::capacity];
+  TriangleSum(surface.vertices, {surface.triangles, surface.multiplicities}, surface.bounds)
+    .evaluate(block, values);
+  std::vector<double> middles;
+  for (std::size_t i = 0; i + 1 < block.count; i += 2)
+  {
+    middles.push_back((values[i] + values[i + 1]) / 2);
+  }
+  std::sort(middles.begin(), middles.end());
+  return middles.empty() ? 0.5 : middles[middles.size() / 2];
 }
 
 std::size_t Diagnosis::pieces() const

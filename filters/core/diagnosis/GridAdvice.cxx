@@ -64,17 +64,31 @@ std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, const 
     }
     return Message("no sample is inside", remedies);
   }
-  if (result.parts && result.parts->lostComponents > 0)
+  if (result.parts && (result.parts->lostComponents > 0 || result.parts->lostPlace))
   {
     return thinPartsAdvice(*result.parts, grid, result.mayTouch);
+  }
+  constexpr double leastUnbound = 0.05;
+  if (result.parts && result.parts->unboundShare >= leastUnbound)
+  {
+    return Message("open parts bound nothing, and are left out",
+      {{"look which parts are open", {Parameter::surfaceReport}}},
+      "about " + percentOf(result.parts->unboundShare) + " of the surface");
   }
   return std::nullopt;
 }
 
-Message crumbsNote(std::size_t crumbs, std::size_t pieces)
+Message crumbsNote(std::size_t crumbs, std::size_t pieces, std::size_t sourcePieces)
 {
-  return {"crumbs came out", {},
+  return {"crumbs came out",
+    sourcePieces >= pieces ? std::vector<Remedy>{smallerVoxels()} : std::vector<Remedy>(),
     std::to_string(crumbs) + " of " + std::to_string(pieces) + " parts have eight voxels or fewer"};
+}
+
+Message sparseFacesAdvice(double middle)
+{
+  return {"faces are too sparse for the threshold", {lowerThreshold()},
+    "w is about " + inDigits(middle, 2) + " at them, which should be the threshold"};
 }
 
 void refuseFlatGrid(const Grid& grid)

@@ -32,8 +32,11 @@ struct GridResult
 std::optional<Message> gridAdvice(const Grid& grid, const Bounds& source, const GridResult& result);
 
 /// The warning for pieces of a result that have a few voxels. Tips and noise leave some, and finer
-/// grids may leave more.
-Message crumbsNote(std::size_t crumbs, std::size_t pieces);
+/// grids may leave more; so these are proposed where `sourcePieces` are as many.
+Message crumbsNote(std::size_t crumbs, std::size_t pieces, std::size_t sourcePieces);
+
+/// The warning for faces so sparse that w is no more than `middle` at them, instead of ½.
+Message sparseFacesAdvice(double middle);
 
 /// Throws Refusal for a grid with one voxel along an axis: it has no edges for a surface to cross.
 void refuseFlatGrid(const Grid& grid);

@@ -23,10 +23,11 @@ inline std::vector<Remedy> waysOutOfInward(const std::string& what)
       hasFaces ? std::vector<Setting>{{Parameter::orientFaces, 1}} : std::vector<Setting>{}}};
 }
 
-/// Returns the warning that a surface is of open sheets.
-inline Message openSheetsAdvice()
+/// Returns the warning that `what` are open sheets. `ways` say which side is inside.
+inline Message openSheetsAdvice(const std::string& what, const std::vector<Setting>& ways)
 {
-  return {"parts are open sheets, which bound nothing", {{"close them", {}}},
+  return {what + " are open sheets, which bound nothing",
+    {ways.empty() ? Remedy{"close them", {}} : Remedy{"name the side that is inside", ways}},
     "w is about 0.5 behind them and -0.5 before them"};
 }
 

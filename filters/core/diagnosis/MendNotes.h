@@ -34,13 +34,12 @@ inline bool proposesTurning(const Message& message)
     });
 }
 
-/// Returns the note that a source was turned because of a fault; `what` is "faces" or "normals".
-/// Facts without a number are about what would have come out otherwise.
-inline Message turnedNote(const std::string& what, const Message& fault)
+/// Returns the note on what was done because of a fault, as "faces were turned". Facts without a
+/// number are about what would have come out otherwise.
+inline Message mendedNote(const std::string& done, const Message& fault)
 {
   const bool areOfSource = fault.facts.find_first_of("0123456789") != std::string::npos;
-  return {what + " were turned", {asItCame()},
-    areOfSource ? fault.fault + "; " + fault.facts : fault.fault};
+  return {done, {asItCame()}, areOfSource ? fault.fault + "; " + fault.facts : fault.fault};
 }
 
 /// Returns the note that points got normals.
@@ -50,8 +49,8 @@ inline Message estimatedNote()
     {{"give others", {Parameter::normalsArray}}, asItCame()}};
 }
 
-/// Returns the note that open sheets became a plate of this thickness.
-inline Message plateNote(const Openings& openings, double thickness)
+/// Returns the note that open sheets became a plate of this thickness, which users give or not.
+inline Message plateNote(const Openings& openings, double thickness, bool isGiven)
 {
   std::vector<Remedy> ways = {{"for a block close it by a base", {Parameter::flatBase}},
     {"name the side that is inside", {Parameter::sheetSide}}, asItCame()};
@@ -61,8 +60,9 @@ inline Message plateNote(const Openings& openings, double thickness)
     ways[0].words = "for a block name the side that is inside";
     ways[1].words = "close it by a base";
   }
-  return {"open sheets became a plate of three voxels", ways,
-    joined("it is ", inDigits(thickness, 3), " thick")};
+  return {isGiven ? "open sheets became a plate, half on either side"
+                  : "open sheets became a plate of three voxels",
+    ways, joined("it is ", inDigits(thickness, 3), " thick")};
 }
 
 /// Returns the note that a surface was closed at the border of the grid.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "diagnosis/ThinParts.h"
 
+#include "base/Digits.h"
 #include "surface/Components.h"
 
 #include <algorithm>
@@ -175,6 +176,42 @@ bool isInsideNear(const Grid& grid, const Eigen::Vector3d& point, const IsSample
   return !samples || samples->hasAny(isInside);
 }
 
+bool isInsideWithinReach(
+  const Grid& grid, const Eigen::Vector3d& point, const IsSampleInside& isInside)
+{
+  constexpr double reach = 3;
+  const Eigen::Array3d place = grid.inGridUnits(point).array();
+  const Eigen::Array3d last = grid.dimensions.array().cast<double>() - 1;
+  if (!(place >= 0 && place <= last).all())
+  {
+    return true;
+  }
+  const auto samples = samplesBetween(grid, (place - reach).max(0.0), (place + reach).min(last));
+  return !samples || samples->hasAny(isInside);
+}
+
+std::vector<std::int32_t> trianglesOutOfReach(const Surface& surface,
+  const std::vector<std::int32_t>& triangles, const Grid& grid, const IsSampleInside& isInside)
+{
+  constexpr std::size_t most = 16;
+  std::vector<std::int32_t> found;
+  for (const std::int32_t triangle : triangles)
+  {
+    const Triangle& t = surface.triangles[triangle];
+    const bool isOut = std::any_of(t.begin(), t.end(),
+      [&](std::int32_t vertex)
+      {
+        const Eigen::Vector3d& point = surface.vertices[vertex];
+        return !isInsideNear(grid, point, isInside) && !isInsideWithinReach(grid, point, isInside);
+      });
+    if (isOut && found.size() < most)
+    {
+      found.push_back(triangle);
+    }
+  }
+  return found;
+}
+
 ThinParts thinPartsOf(const WallSamples& walls, const Grid& grid, const IsSampleInside& isInside)
 {
   double all = 0, lost = 0, thin = 0;
@@ -291,6 +328,14 @@ Message thinPartsAdvice(
   if (!parts.areWorthTelling())
   {
     remedies.insert(remedies.end(), touching.begin(), touching.end());
+    if (parts.lostPlace)
+    {
+      const Eigen::Vector3d& p = *parts.lostPlace;
+      const int needed = resolutionFor(parts.largestVoxel(), grid);
+      return Message("a part is thinner than a voxel, and missing", remedies,
+        joined("at ", inDigits(p[0], 3), " ", inDigits(p[1], 3), " ", inDigits(p[2], 3)) +
+          (needed > 0 ? "; a resolution of " + std::to_string(needed) + " would keep it" : ""));
+    }
     return Message("parts are smaller than a voxel", remedies,
       std::to_string(parts.lostComponents) + " of " + std::to_string(parts.components) +
         " closed parts have no sample inside");
@@ -302,6 +347,12 @@ Message thinPartsAdvice(
     facts += (facts.empty() ? "" : "; ") + fact;
   };
   double voxel = parts.largestVoxel();
+  if (parts.sourceVolume > 0 && parts.thinVolume > 1.5 * parts.sourceVolume)
+  {
+    // The volume of walls counts twice in rods. Voxels as thick as these cut an eighth of it off,
+    // and voxels of this length a fiftieth.
+    voxel /= 2.7;
+  }
   if (parts.areMany())
   {
     add(parts.lostShare >= leastLostShare

@@ -7,6 +7,7 @@
 #include "source/Grid.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,11 +43,13 @@ struct ThinParts
   bool hasLostPoints = false;     ///< whether no sample shows some of the points, thin or not
   std::size_t components = 0;     ///< connected sets of triangles; 0 where none is lost
   std::size_t lostComponents = 0; ///< that no sample is inside of
-  double volumeRatio = 1;         ///< of the result's volume to the source's, 1 if it is not known
-  double sourceVolume = 0;        ///< or 0 if it is not known
-  std::size_t pieces = 0;         ///< of the result, or 0 if that is not known
-  std::size_t sourcePieces = 0;   ///< closed parts of the source
-  bool mayBeTwoWalls = false;     ///< whether a hollow may lie between walls of the source
+  std::optional<Eigen::Vector3d> lostPlace; ///< on a part that is far from all samples inside
+  double unboundShare = 0;      ///< of the area of an open surface that is far from samples inside
+  double volumeRatio = 1;       ///< of the result's volume to the source's, 1 if it is not known
+  double sourceVolume = 0;      ///< or 0 if it is not known
+  std::size_t pieces = 0;       ///< of the result, or 0 if that is not known
+  std::size_t sourcePieces = 0; ///< closed parts of the source
+  bool mayBeTwoWalls = false;   ///< whether a hollow may lie between walls of the source
 
   /// Returns whether a twentieth of the surface or more is lost, or a twelfth is thinner than a
   /// voxel.
@@ -77,6 +80,14 @@ ThinParts thinPartsOf(const WallSamples& walls, const Grid& grid, const IsSample
 
 /// Returns whether any sample of the cell round a point is inside; true beyond the grid.
 bool isInsideNear(const Grid& grid, const Eigen::Vector3d& point, const IsSampleInside& isInside);
+
+/// Returns whether any sample within three voxels of a point is inside; true beyond the grid.
+bool isInsideWithinReach(
+  const Grid& grid, const Eigen::Vector3d& point, const IsSampleInside& isInside);
+
+/// Returns the first 16 of some triangles that have a corner out of reach of samples inside.
+std::vector<std::int32_t> trianglesOutOfReach(const Surface& surface,
+  const std::vector<std::int32_t>& triangles, const Grid& grid, const IsSampleInside& isInside);
 
 /// Counts the connected sets of triangles of a closed surface that are lost: they are smaller than
 /// two voxels along some axis, and no sample of their bounds and next to them is inside. Takes 25

@@ -101,7 +101,7 @@ CloudField::CloudField(
   this->regularize(options.regularization);
   sum_ = std::make_unique<DipoleSum>(cloud_, cloud_.areas);
   this->chooseMethod(options, executor);
-  diagnosis_ = std::make_unique<Diagnosis>(cloud_, areNormalsEqual_);
+  diagnosis_ = std::make_unique<Diagnosis>(cloud_, areNormalsEqual_, info_.normalsAreEstimated);
 }
 
 CloudField::~CloudField() = default;
@@ -188,7 +188,7 @@ void CloudField::findNormalsAndAreas(const FieldOptions& options, bool isOfHalf,
 {
   checkPointArea(options.pointArea);
   const std::size_t points = cloud_.positions.size();
-  const bool areAreasGiven = !cloud_.areas.empty();
+  areAreasGiven_ = !cloud_.areas.empty();
   const PointAreaOptions areas = {options.pointAreaMethod, options.pointArea, options.neighbors};
   bool areNormalsUnsure = false;
   if (info_.normalsAreEstimated && !isOfHalf)
@@ -200,7 +200,7 @@ void CloudField::findNormalsAndAreas(const FieldOptions& options, bool isOfHalf,
       normal = unitNormal(normal).array() + 0.0;
     }
   }
-  else if (!areAreasGiven)
+  else if (!areAreasGiven_)
   {
     cloud_.areas = pointAreas(cloud_, areas, executor);
   }
@@ -216,7 +216,7 @@ void CloudField::findNormalsAndAreas(const FieldOptions& options, bool isOfHalf,
     sum += area / static_cast<double>(points);
   }
   info_.pointArea = sum;
-  if (sum == 0 && points > 0 && areAreasGiven)
+  if (sum == 0 && points > 0 && areAreasGiven_)
   {
     info_.warnings.emplace_back("the field is 0, as all areas of points are",
       std::vector<Remedy>{{"give other areas", {Parameter::areaArray}}});
@@ -335,23 +335,34 @@ std::shared_ptr<const Field> CloudField::makeTurned(Executor& executor) const
 {
   FieldOptions options = options_;
   // These have done their work.
-  options.estimateNormals = false;
   options.lookAtViewpoints = false;
   options.toward.clear();
   options.mirror.clear();
   options.sheetSide.clear();
-  std::vector<Eigen::Vector3d> normals(cloud_.normals.size());
-  std::transform(cloud_.normals.begin(), cloud_.normals.end(), normals.begin(),
+  const bool isInward = diagnosis_->orientation(executor).isInward();
+  options.estimateNormals = !isInward;
+  std::vector<Eigen::Vector3d> normals(isInward ? cloud_.normals.size() : 0);
+  std::transform(cloud_.normals.begin(), cloud_.normals.begin() + normals.size(), normals.begin(),
     [](const Eigen::Vector3d& normal) -> Eigen::Vector3d { return 0.0 - normal.array(); });
   OrientedPointsView view;
-  if (!normals.empty())
+  if (!cloud_.positions.empty())
   {
     view.positions = VectorsView(cloud_.positions.front().data(), cloud_.positions.size());
+  }
+  if (!normals.empty())
+  {
     view.normals = VectorsView(normals.front().data(), normals.size());
+  }
+  if (areAreasGiven_ || isInward)
+  {
     view.areas = ScalarsView(cloud_.areas.data(), cloud_.areas.size(), 1);
   }
   auto turned =
     std::make_shared<CloudField>(std::vector<OrientedPointsView>{view}, options, executor);
+  if (!isInward && !turned->info_.orientation.isClear())
+  {
+    return nullptr;
+  }
   turned->info_.isOriented = true;
   return turned;
 }

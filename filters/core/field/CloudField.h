@@ -58,7 +58,7 @@ private:
   FieldOptions options_;
   PointCloud cloud_;
   FieldInfo info_;
-  bool areNormalsEqual_ = false;
+  bool areNormalsEqual_ = false, areAreasGiven_ = false;
   std::unique_ptr<const Diagnosis> diagnosis_;
   bool isAskedFor_ = false;                  ///< whether the user chose the method
   std::unique_ptr<const FarField> farField_; ///< null unless the method is hierarchical

@@ -145,6 +145,7 @@ struct FieldInfo
   std::size_t capTriangles = 0;
   Openings openings;       ///< of a surface
   bool isOriented = false; ///< whether faces were turned and taken once, or all normals turned
+  bool turnedLooseParts = false; ///< whether parts that share no edges were turned (LooseParts.h)
   /// The number that values have in addition to the sum: ½ for sheets of faces or of points, which
   /// divide space and which a half sphere at infinity closes (SheetSide.h).
   double added = 0;
@@ -279,8 +280,9 @@ public:
    */
   virtual void gradient(const VectorsView& samples, double* gradients, Executor& executor) const;
 
-  /// Returns the field of the source turned, or itself if that is unclear: as orientFaces says,
-  /// then by LooseParts.h, or with all normals of a cloud turned round. It is built once and kept.
+  /// Returns the field of the source turned, or itself if that is unclear: as orientFaces says, or
+  /// by LooseParts.h where that has been done or turns nothing, or with all normals of a cloud
+  /// turned round. It is built once and kept.
   const Field& turned(Executor& executor) const;
 
   /// The triangles that it is the field of, as they came in; null for points.

@@ -37,7 +37,7 @@ std::shared_ptr<const Field> Field::build(
     turned.orientFaces = true;
     field.reset(); // both need not fit into memory together
     field = std::make_shared<SurfaceField>(views, turned, executor);
-    field->addNote(turnedNote("faces", *fault));
+    field->addNote(mendedNote("faces were turned", *fault));
   }
   return field;
 }

@@ -70,6 +70,7 @@ void SurfaceField::complete(const FieldOptions& options, Executor& executor)
   {
     const Orientation found = orient(surface_, parts_, executor);
     apply(found, surface_);
+    hasTurned_ |= found.triangles > 0 || !found.isLeftOut.empty();
     if (!found.isLeftOut.empty())
     {
       parts_.clear();
@@ -468,32 +469,46 @@ void SurfaceField::evaluateValues(
 
 std::shared_ptr<const Field> SurfaceField::makeTurned(Executor& executor) const
 {
+  if (info_.turnedLooseParts)
+  {
+    return nullptr;
+  }
   FieldOptions options = options_;
   options.orientFaces = !info_.isOriented;
   // These have done their work.
   options.mirror.clear();
   options.flatBase.clear();
   options.sheetSide.clear();
-  Surface turned;
-  const Surface* surface = &surface_;
-  if (info_.isOriented)
+  const auto fieldOf = [&](const Surface& surface)
   {
-    turned = surface_;
-    if (!turnLooseParts(turned, parts_, executor))
+    TrianglesView view;
+    if (!surface.triangles.empty())
     {
-      return nullptr;
+      view.points = VectorsView(surface.vertices.front().data(), surface.vertices.size());
+      view.triangles = TriangleIdsView(surface.triangles.front().data(), surface.triangles.size());
+      view.isContinued = parts_.empty() ? nullptr : parts_.data();
     }
-    surface = &turned;
-  }
-  TrianglesView view;
-  if (!surface->triangles.empty())
+    auto result =
+      std::make_shared<SurfaceField>(std::vector<TrianglesView>{view}, options, executor);
+    result->info_.isOriented = true;
+    return result;
+  };
+  if (!info_.isOriented)
   {
-    view.points = VectorsView(surface->vertices.front().data(), surface->vertices.size());
-    view.triangles = TriangleIdsView(surface->triangles.front().data(), surface->triangles.size());
-    view.isContinued = parts_.empty() ? nullptr : parts_.data();
+    const auto oriented = fieldOf(surface_);
+    if (oriented->hasTurned_)
+    {
+      return oriented;
+    }
   }
-  auto result = std::make_shared<SurfaceField>(std::vector<TrianglesView>{view}, options, executor);
-  result->info_.isOriented = true;
+  Surface turned = surface_;
+  if (!turnLooseParts(turned, parts_, executor))
+  {
+    return nullptr;
+  }
+  options.orientFaces = false;
+  const auto result = fieldOf(turned);
+  result->info_.turnedLooseParts = true;
   return result;
 }
 

@@ -75,6 +75,7 @@ private:
   Surface merged_;                      ///< the surface with equal triangles taken together, if any
   const Surface* distinct_ = &surface_; ///< the one of the two that is summed
   FieldInfo info_;
+  bool hasTurned_ = false; ///< whether orienting turned faces or left some out
   std::unique_ptr<const Diagnosis> diagnosis_;
   Lazy<double> area_;               ///< the area of the surface
   Lazy<FarFieldGain> gain_;         ///< what a far field may save

@@ -65,27 +65,27 @@ bool MendedSource::decide(const SideCounts& sides)
     return false;
   }
   const Facing facing = field_->diagnosis().facing(sides, mending_.isInside, run_.executor);
-  if (facing.looksInward && !field_->info().isOriented)
+  const bool mayTurn = facing.looksInward || facing.contradicts;
+  if (mayTurn && !field_->info().isOriented && this->turn(*facing.warning))
   {
-    this->turn(*facing.warning);
     return true;
   }
   const FieldInfo& info = field_->info();
-  if (facing.warning && info.isSurface && info.netBoundaryEdges > 0 && !haveTriedParts_)
+  const bool isOpen = info.isSurface && info.netBoundaryEdges > 0;
+  const bool isEmpty =
+    isOpen && sides.inside == 0 && sides.negative == 0 && hasWhole(grid_, info.bounds);
+  if (isOpen && (facing.warning || isEmpty) && !haveTriedParts_)
   {
     haveTriedParts_ = true;
     QuietExecutor quiet(run_.executor);
     const Field& oriented = info.isOriented ? *field_ : field_->turned(quiet);
     const Field& byParts = oriented.turned(quiet);
-    if (&byParts != &oriented)
+    if (byParts.info().turnedLooseParts && &byParts != field_)
     {
-      run_.warn(turnedNote("loose parts", *facing.warning));
-      field_ = &byParts;
+      this->take(byParts, facing.warning ? *facing.warning : Message("parts cancel"));
       return true;
     }
   }
-  const bool isEmpty = sides.inside == 0 && sides.negative == 0 && info.isSurface &&
-                       info.netBoundaryEdges > 0 && hasWhole(grid_, info.bounds);
   if (facing.isOfSheets || isEmpty)
   {
     this->thicken();
@@ -138,20 +138,40 @@ void MendedSource::decideByLayers()
   }
 }
 
-void MendedSource::turn(const Message& fault)
+/// Turns the source because of a fault. Returns whether that changed it.
+bool MendedSource::turn(const Message& fault)
 {
-  run_.warn(turnedNote(field_->info().isSurface ? "faces" : "normals", fault));
   QuietExecutor quiet(run_.executor);
-  field_ = &field_->turned(quiet);
+  const Field& turned = field_->turned(quiet);
+  const bool isOther = &turned != field_;
+  if (isOther)
+  {
+    this->take(turned, fault);
+  }
+  return isOther;
+}
+
+/// Goes on with a source that was turned, and says so.
+void MendedSource::take(const Field& turned, const Message& fault)
+{
+  const FieldInfo& info = turned.info();
+  const bool areNew = info.normalsAreEstimated && !field_->info().normalsAreEstimated;
+  run_.warn(mendedNote(info.turnedLooseParts ? "loose parts were turned"
+                       : info.isSurface      ? "faces were turned"
+                       : areNew              ? "normals were estimated anew"
+                                             : "normals were turned",
+    fault));
+  field_ = &turned;
 }
 
 void MendedSource::thicken()
 {
-  if (mending_.mayThicken)
+  if (mending_.mayThicken && field_->info().isSurface)
   {
     constexpr double voxels = 3;
-    plate_ = voxels * grid_.spacing.maxCoeff();
-    run_.warn(plateNote(field_->info().openings, plate_));
+    const bool isGiven = mending_.thickness > 0;
+    plate_ = isGiven ? mending_.thickness : voxels * grid_.spacing.maxCoeff();
+    run_.warn(plateNote(field_->info().openings, plate_, isGiven));
   }
 }
 

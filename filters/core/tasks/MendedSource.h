@@ -19,6 +19,7 @@ struct Mending
   bool isWished = false;
   bool mayThicken = true; ///< whether open sheets may become plates: no other shape is asked for
   InsideTest isInside;
+  double thickness = 0; ///< of these plates; 0 for three voxels
 };
 
 /**
@@ -50,7 +51,8 @@ public:
   void decideByLayers();
 
 private:
-  void turn(const Message& fault);
+  bool turn(const Message& fault);
+  void take(const Field& turned, const Message& fault);
   void thicken();
 
   const Field* field_;

@@ -47,6 +47,10 @@ void warnOfGrid(const Field& field, const Grid& grid, const ResultOnGrid& result
   if (!facing.looksInward && !result.takesTouchedVoxels)
   {
     found.parts = diagnosis.thinParts(grid, result.isInside, isInside, run.executor);
+  }
+  if (found.parts)
+  {
+    found.parts->unboundShare = facing.warning ? 0 : found.parts->unboundShare;
     // Models of several parts enclose places between these.
     constexpr std::size_t mostPieces = 2;
     found.parts->mayBeTwoWalls = found.parts->areMany() && diagnosis.pieces() <= mostPieces &&
@@ -70,9 +74,15 @@ void warnOfGrid(const Field& field, const Grid& grid, const ResultOnGrid& result
   {
     run.warn(*advice);
   }
-  else if (result.crumbs > 0 && !facing.warning && !diagnosis.faultToTurn(run.executor))
+  else if (result.crumbs > 0 && !facing.warning && !facing.isOfSheets &&
+           !diagnosis.faultToTurn(run.executor))
   {
-    run.warn(crumbsNote(result.crumbs, result.pieces));
+    constexpr double leastMiddle = 0.05, mostMiddle = 0.4;
+    const double middle =
+      2 * result.crumbs > result.pieces ? diagnosis.middleAtFaces(run.executor) : 0.5;
+    run.warn(middle > leastMiddle && middle < mostMiddle
+               ? sparseFacesAdvice(middle)
+               : crumbsNote(result.crumbs, result.pieces, diagnosis.pieces()));
   }
 }
 

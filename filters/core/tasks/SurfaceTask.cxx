@@ -453,7 +453,9 @@ SurfaceResult makeSurface(
   SurfaceOptions options = closedIfMended(wished);
   SolidShape& shape = options.shape;
   MendedSource source(given, grid,
-    {wished.mendsSource && !isSheet(given.info(), shape), shape.isPlain(), options.isInside}, run);
+    {wished.mendsSource && !isSheet(given.info(), shape), shape.isPlain() || shape.isShell(),
+      options.isInside, shape.shell},
+    run);
   const auto edges = findMendedEdges(source, grid, options, run);
   const Field& field = source.field();
   const double inputVolume = field.diagnosis().volume(run.executor);
@@ -473,6 +475,8 @@ SurfaceResult makeSurface(
   {
     result.facing = warnOfSides(field, onGrid.sides, options.isInside, run);
   }
+  // The inside of a sheet reaches the border of any grid.
+  options.mendsSource = options.mendsSource && field.info().added == 0 && !result.facing.isOfSheets;
   const auto warnOfSource = [&]
   {
     if (insideMatters)

@@ -175,7 +175,7 @@ TEST(Facing, IsNoSetOfOpenSheets)
   sides.samples = 100;
   sides.negative = sides.inside = 4;
   ASSERT_TRUE(facingOf(*field, sides).warning);
-  EXPECT_EQ(facingOf(*field, sides).warning->fault, winding::openSheetsAdvice().fault);
+  EXPECT_EQ(facingOf(*field, sides).warning->fault, winding::openSheetsAdvice("parts", {}).fault);
   const auto box = fieldOf(openCube().reversed());
   EXPECT_TRUE(looksInward(*box, sides));
 }

@@ -3,8 +3,11 @@
 #include "tasks/SurfaceTask.h"
 
 #include "base/DisjointSets.h"
+#include "base/UnitRandom.h"
+#include "field/CloudField.h"
 #include "source/SourceVolume.h"
 #include "support/Grids.h"
+#include "support/Serial.h"
 #include "support/SolidOnGrid.h"
 
 #include <gtest/gtest.h>
@@ -12,6 +15,8 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -415,6 +420,53 @@ TEST(SurfaceTask, IsSilentAboutTipsAndFilledCavities)
   EXPECT_EQ(faultsOf(ball.with(ball.scaled(0.95).reversed()), shape), std::vector<std::string>());
 }
 
+TEST(SurfaceTask, WarnsOfPartsThatLeaveNothing)
+{
+  const auto faultsOf = [](const Mesh& mesh, int resolution, KeptRun& run)
+  {
+    const auto field = fieldOf(mesh);
+    KeepingSink sink;
+    winding::makeSurface(
+      *field, gridAround(field->info().bounds, resolution, 0.05), {}, sink, run.run);
+    return run.faults;
+  };
+  // A needle leaves a body of a hundred times its area.
+  const Mesh body = cube({0, 0, 0}, {10, 10, 10}),
+             needle = lathe({{0, 0}, {0.03, 0}, {0.03, 6}, {0, 6}}, 16);
+  KeptRun coarse, fine;
+  EXPECT_EQ(faultsOf(body.with(needle.moved({5.11, 5.07, 9.8})), 64, coarse),
+    std::vector<std::string>{"a part is thinner than a voxel, and missing"});
+  ASSERT_GT(coarse.proposed(), 64);
+  EXPECT_EQ(faultsOf(body.with(needle.moved({5.11, 5.07, 9.8})), coarse.proposed(), fine),
+    std::vector<std::string>());
+  // A plane leaves nothing beside a body.
+  KeptRun open;
+  EXPECT_EQ(faultsOf(body.with(cube({12, -5, 0}, {30, 8, 4}).part(10, 12)), 64, open),
+    std::vector<std::string>{"open parts bound nothing, and are left out"});
+}
+
+TEST(SurfaceTask, ProposesTheThresholdOfSparseFaces)
+{
+  const Mesh ball = icosphere(4);
+  Mesh half = ball;
+  half.triangles.clear();
+  winding::UnitRandom random(5);
+  std::copy_if(ball.triangles.begin(), ball.triangles.end(), std::back_inserter(half.triangles),
+    [&](const auto&) { return random() < 0.5; });
+  const auto field = fieldOf(half);
+  KeptRun run;
+  KeepingSink sink, again;
+  const winding::Grid samples = gridAround(field->info().bounds, 64, 0.05);
+  winding::makeSurface(*field, samples, {}, sink, run.run);
+  ASSERT_EQ(run.faults, std::vector<std::string>{"faces are too sparse for the threshold"});
+  winding::SurfaceOptions options;
+  options.isInside.threshold =
+    std::atof(run.facts.front().c_str() + std::string("w is about ").size());
+  EXPECT_NEAR(options.isInside.threshold, 0.25, 0.05);
+  winding::makeSurface(*field, samples, options, again, run.run);
+  EXPECT_NEAR(again.volume(), 4.18, 0.1);
+}
+
 TEST(SurfaceTask, CountsCrumbs)
 {
   const Mesh box = cube({0, 0, 0}, {1, 1, 1});
@@ -702,6 +754,95 @@ TEST(MendedSource, TurnsLoosePartsOfASoup)
     // Measured 4.54, for the octants are moved outward.
     EXPECT_EQ(std::abs(sink.volume() - 4.5) < 0.1, mends) << sink.volume();
   }
+}
+
+/// Each triangle is a part: it is turned by what lies around it, and none is forgotten.
+TEST(MendedSource, TurnsTheTrianglesOfASoup)
+{
+  const Mesh ball = icosphere(5);
+  for (const bool areAllInward : {true, false})
+  {
+    SCOPED_TRACE(areAllInward);
+    Mesh soup;
+    winding::UnitRandom random(3);
+    for (const auto& t : ball.triangles)
+    {
+      const Point middle = (ball.points[t[0]] + ball.points[t[1]] + ball.points[t[2]]) / 3;
+      const auto first = static_cast<std::int32_t>(soup.points.size());
+      for (const std::int32_t corner : t)
+      {
+        soup.points.push_back(middle + 0.95 * (ball.points[corner] - middle));
+      }
+      const bool isInward = areAllInward || random() > 0.5;
+      soup.triangles.push_back(
+        {first, first + 1 + static_cast<int>(isInward), first + 2 - static_cast<int>(isInward)});
+    }
+    KeptRun run;
+    KeepingSink sink;
+    winding::SurfaceOptions options;
+    options.mendsSource = true;
+    const auto field = fieldOf(soup);
+    winding::makeSurface(
+      *field, gridAround(field->info().bounds, 40, 0.05), options, sink, run.run);
+    EXPECT_EQ(run.faults, std::vector<std::string>{"loose parts were turned"});
+    EXPECT_NEAR(sink.volume(), 4.18, 0.02); // measured: 4.17
+  }
+}
+
+/// A cap, or every second normal, points inward.
+TEST(MendedSource, EstimatesNormalsThatContradictEachOther)
+{
+  const Mesh ball = icosphere(4);
+  const auto pointsWith = [&](const std::function<bool(std::size_t)>& isInward)
+  {
+    winding::OrientedPointsView view;
+    std::vector<Point> normals;
+    for (std::size_t i = 0; i < ball.points.size(); ++i)
+    {
+      normals.push_back(isInward(i) ? Point(-ball.points[i]) : ball.points[i]);
+    }
+    view.positions = winding::VectorsView(ball.points.front().data(), ball.points.size());
+    view.normals = winding::VectorsView(normals.front().data(), normals.size());
+    winding::FieldOptions options;
+    return std::make_shared<const winding::CloudField>(
+      std::vector<winding::OrientedPointsView>{view}, options, serial);
+  };
+  for (const auto& isInward :
+    {std::function<bool(std::size_t)>([](std::size_t i) { return i % 2; }),
+      std::function<bool(std::size_t)>([&](std::size_t i) { return ball.points[i][2] > 0.3; })})
+  {
+    const auto field = pointsWith(isInward);
+    const winding::Grid samples = gridAround(field->info().bounds, 40, 0.1);
+    for (const bool mends : {true, false})
+    {
+      KeptRun run;
+      KeepingSink sink;
+      winding::SurfaceOptions options;
+      options.mendsSource = mends;
+      winding::makeSurface(*field, samples, options, sink, run.run);
+      ASSERT_FALSE(run.faults.empty());
+      EXPECT_EQ(run.faults.front(), mends ? "normals were estimated anew"
+                                          : "normals contradict each other, so that points cancel");
+      EXPECT_EQ(std::abs(sink.volume() - 4.17) < 0.05, mends) << sink.volume();
+    }
+  }
+}
+
+TEST(MendedSource, MakesAPlateOfAnOpenSheetWithAShell)
+{
+  const Mesh sheet = cube({-1, -1, 0}, {1, 1, 0.5}).part(10, 12);
+  winding::SurfaceOptions options;
+  options.mendsSource = true;
+  options.shape.shell = 0.2;
+  KeptRun run;
+  const auto field = fieldOf(sheet);
+  KeepingSink sink;
+  winding::makeSurface(
+    *field, gridOf({-2, -2, -2}, Point::Constant(0.05), {80, 80, 80}), options, sink, run.run);
+  EXPECT_EQ(
+    run.faults, std::vector<std::string>{"open sheets became a plate, half on either side"});
+  // 2 x 2 x 0.2, and half a cylinder of radius 0.1 along each edge.
+  EXPECT_NEAR(sink.volume(), 0.93, 0.02);
 }
 
 TEST(MendedSource, LeavesToItsOwnerWhatHeHasDecided)
