@@ -296,8 +296,9 @@ for name, proxy in (("field", field), ("surface", surface), ("areas", areas)):
         """The other one would wait for ever."""
         told = []
         for plugin in (self.cxx, self.python):
-            out = self.run_script(plugin, here / "ranks_refusals.py", before=self.on_two_ranks(),
-                                  options=["--sym"])
+            self.run_script(plugin, here / "ranks_refusals.py", self.folder,
+                            before=self.on_two_ranks(), options=["--sym"])
+            out = "".join((self.folder / f"rank{rank}.txt").read_text() for rank in (0, 1))
             for rank in (0, 1):
                 self.assertIn(f"end of rank {rank}\n", out)
             self.assertNotIn("Traceback", out)

@@ -2,13 +2,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What one of two ranks refuses, or what differs between them, in pvbatch with --sym under mpirun.
 The other rank would wait for ever, so the end is printed by each; python_plugin_test.py looks at it
-and at what is refused."""
+and at what is refused. Each rank prints into a file of the folder that is the argument, for a pipe
+may mix their lines."""
 import os
+import sys
 
 from paraview import servermanager, simple
 
 simple.LoadPlugin(os.environ["WINDING_PLUGIN"], remote=False)
 rank = servermanager.vtkProcessModule.GetProcessModule().GetPartitionId()
+log = os.open(os.path.join(sys.argv[1], f"rank{rank}.txt"), os.O_CREAT | os.O_WRONLY | os.O_TRUNC)
+os.dup2(log, 1)
+os.dup2(log, 2)
 
 COMMON = """
 from vtkmodules.vtkCommonCore import vtkFloatArray
