@@ -23,7 +23,7 @@ PlainArray<std::uint8_t> bytesOfColors(const PlainArray<float>& colors, bool are
   const auto scale = static_cast<float>(most / intensityOf(largest, areIntegers));
   PlainArray<std::uint8_t> bytes(colors.size());
   std::transform(colors.begin(), colors.end(), bytes.begin(),
-    [scale, half, most, areIntegers](float color)
+    [scale, most, areIntegers](float color)
     {
       const float value = areIntegers && color < 0 ? color + most + 1 : color; // of signed bytes
       return static_cast<std::uint8_t>(value > 0 ? std::min(scale * value + half, most) : 0);
