@@ -772,7 +772,8 @@ class AccessorTest(Warned):
         inward = ball()
         inward["Normals"] = -ball()["Normals"]
         both = pv.MultiBlock([inward, mesh.translate((2, 0, 0))])
-        found = places.winding.sample(both, as_points=True)
+        with self.assertWarnsRegex(vtkwinding.WindingWarning, "normals look inward"):
+            found = places.winding.sample(both, as_points=True)
         np.testing.assert_allclose(found["WindingNumber"], [-1, 1, 0], atol=0.02)
         areas = pv.MultiBlock([mesh, cloud]).winding.estimate_areas()
         self.assertAlmostEqual(areas[0]["Area"].sum() / areas[1]["Area"].sum(), 1, 1)

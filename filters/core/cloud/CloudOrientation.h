@@ -42,6 +42,9 @@ struct CloudOrientation
   /// and 0.82 for a coarse bunny and a teapot, where one estimated normal in ten is wrong.
   bool isClear() const { return std::max(outward, inward) >= clearShare; }
 
+  /// Whether it does so nearly everywhere, but some parts look inward and others outward.
+  bool isInwardInPart() const { return !this->isClear() && outward + inward >= clearShare; }
+
   static constexpr double clearShare = 0.85;
 };
 

@@ -650,12 +650,15 @@ Facing Diagnosis::facingOfCloud(const SideCounts& sides, double threshold, Execu
   }
   const CloudOrientation& found = this->orientation(executor);
   constexpr std::size_t fewest = 64; // points that make a surface
-  if (sides.negative > sides.inside && found.isInward())
+  const bool isInward = sides.negative > sides.inside && found.isInward();
+  const bool mayBeWrong = !areNormalsEstimated_ && cloud_->positions.size() >= fewest;
+  if (isInward || (mayBeWrong && found.isInwardInPart()))
   {
-    facing.looksInward = facing.isInsideOut = true;
+    facing.looksInward = true;
+    facing.isInsideOut = isInward;
     facing.warning = insideOutAdvice("normals", sides, threshold);
   }
-  else if (areNormalsEstimated_ || cloud_->positions.size() < fewest)
+  else if (!mayBeWrong)
   {
     // A warning has named estimated normals that are unclear.
     facing.isOfSheets = found.isOfSheet();

@@ -828,6 +828,35 @@ TEST(MendedSource, EstimatesNormalsThatContradictEachOther)
   }
 }
 
+TEST(MendedSource, TurnsACloudThatLooksInwardInPart)
+{
+  const Mesh ball = icosphere(4);
+  std::vector<Point> positions, normals;
+  for (const bool isInward : {false, true})
+  {
+    for (const Point& point : ball.points)
+    {
+      positions.emplace_back(point + (isInward ? Point(3, 0, 0) : Point(0, 0, 0)));
+      normals.emplace_back(isInward ? Point(-point) : point);
+    }
+  }
+  winding::OrientedPointsView view;
+  view.positions = winding::VectorsView(positions.front().data(), positions.size());
+  view.normals = winding::VectorsView(normals.front().data(), normals.size());
+  const winding::CloudField field({view}, {}, serial);
+  for (const bool mends : {false, true})
+  {
+    KeptRun run;
+    KeepingSink sink;
+    winding::SurfaceOptions options;
+    options.mendsSource = mends;
+    winding::makeSurface(field, gridAround(field.info().bounds, 60, 0.1), options, sink, run.run);
+    EXPECT_EQ(run.faults,
+      std::vector<std::string>{mends ? "normals were estimated anew" : "normals look inward"});
+    EXPECT_NEAR(sink.volume(), mends ? 8.35 : 4.17, 0.05); // measured: 8.34 and 4.17
+  }
+}
+
 TEST(MendedSource, MakesAPlateOfAnOpenSheetWithAShell)
 {
   const Mesh sheet = cube({-1, -1, 0}, {1, 1, 0.5}).part(10, 12);
