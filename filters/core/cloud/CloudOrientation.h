@@ -27,8 +27,10 @@ struct CloudOrientation
   /// The orientation of the cloud with all normals turned round.
   CloudOrientation reversed() const { return {-before, -behind, inward, outward}; }
 
+  bool isInward() const { return inward > outward; }
+
   /// Whether most normals point inward.
-  bool isInward() const { return inward > 0.5; }
+  bool isMostlyInward() const { return inward > 0.5; }
 
   /// Whether the points are an open sheet: w is about ½ behind and −½ before them.
   bool isOfSheet() const

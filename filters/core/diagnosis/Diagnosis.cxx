@@ -650,7 +650,7 @@ Facing Diagnosis::facingOfCloud(const SideCounts& sides, double threshold, Execu
   }
   const CloudOrientation& found = this->orientation(executor);
   constexpr std::size_t fewest = 64; // points that make a surface
-  const bool isInward = sides.negative > sides.inside && found.isInward();
+  const bool isInward = sides.negative > sides.inside && found.isMostlyInward();
   const bool mayBeWrong = !areNormalsEstimated_ && cloud_->positions.size() >= fewest;
   if (isInward || (mayBeWrong && found.isInwardInPart()))
   {

@@ -339,7 +339,7 @@ std::shared_ptr<const Field> CloudField::makeTurned(Executor& executor) const
   options.toward.clear();
   options.mirror.clear();
   options.sheetSide.clear();
-  const bool isInward = diagnosis_->orientation(executor).isInward();
+  const bool isInward = diagnosis_->orientation(executor).isMostlyInward();
   options.estimateNormals = !isInward;
   std::vector<Eigen::Vector3d> normals(isInward ? cloud_.normals.size() : 0);
   std::transform(cloud_.normals.begin(), cloud_.normals.begin() + normals.size(), normals.begin(),

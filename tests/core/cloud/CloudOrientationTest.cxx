@@ -55,6 +55,10 @@ TEST(CloudOrientation, OfASphereIsOutwardAndOfItsReverseInward)
   EXPECT_TRUE(inward.isInward());
   EXPECT_TRUE(inward.isClear());
   EXPECT_NEAR(inward.before, -1, 0.02);
+  EXPECT_TRUE(inward.isMostlyInward());
+  const winding::CloudOrientation unclear = {0, 0, 0.2, 0.4};
+  EXPECT_TRUE(unclear.isInward()) << "estimated normals are better turned";
+  EXPECT_FALSE(unclear.isMostlyInward());
   const winding::CloudOrientation back = inward.reversed();
   EXPECT_EQ(back.outward, 1);
   EXPECT_EQ(back.before, -inward.behind);
