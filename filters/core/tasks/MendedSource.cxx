@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tasks/MendedSource.h"
 
+#include "base/Progress.h"
 #include "diagnosis/Diagnosis.h"
 #include "diagnosis/GridAdvice.h"
 #include "diagnosis/MendNotes.h"
@@ -10,29 +11,6 @@
 
 namespace winding
 {
-
-namespace
-{
-
-/// Runs work that shows no progress: it cannot be foreseen.
-class QuietExecutor final : public Executor
-{
-public:
-  explicit QuietExecutor(Executor& executor)
-    : executor_(executor)
-  {
-  }
-
-  void run(std::size_t count, const std::function<void(std::size_t)>& work) override
-  {
-    executor_.runBriefly(count, work);
-  }
-
-private:
-  Executor& executor_;
-};
-
-} // namespace
 
 MendedSource::MendedSource(const Field& field, const Grid& grid, const Mending& mending, Run& run)
   : field_(&field)
@@ -77,7 +55,7 @@ bool MendedSource::decide(const SideCounts& sides)
   if (isOpen && (facing.warning || isEmpty) && !haveTriedParts_)
   {
     haveTriedParts_ = true;
-    QuietExecutor quiet(run_.executor);
+    BriefExecutor quiet(run_.executor);
     const Field& oriented = info.isOriented ? *field_ : field_->turned(quiet);
     const Field& byParts = oriented.turned(quiet);
     if (byParts.info().turnedLooseParts && &byParts != field_)
@@ -117,7 +95,7 @@ void MendedSource::decideByLayers()
   const int layers = std::clamp(height / perLayer, 1, most);
   const auto countSides = [&]
   {
-    QuietExecutor quiet(run_.executor);
+    BriefExecutor quiet(run_.executor);
     SideTally sides;
     FieldOutput output;
     output.isInside = mending_.isInside;
@@ -141,7 +119,7 @@ void MendedSource::decideByLayers()
 /// Turns the source because of a fault. Returns whether that changed it.
 bool MendedSource::turn(const Message& fault)
 {
-  QuietExecutor quiet(run_.executor);
+  BriefExecutor quiet(run_.executor);
   const Field& turned = field_->turned(quiet);
   const bool isOther = &turned != field_;
   if (isOther)
