@@ -149,11 +149,11 @@ std::optional<Message> shapeAdvice(
   const double thick = std::sqrt(3.0) * grid.spacing.maxCoeff();
   if (shape.shell > 0 && shape.shell < thick)
   {
-    const int needed = resolutionFor(shape.shell / std::sqrt(3.0), grid);
+    const std::string needed = resolutionFact(shape.shell / std::sqrt(3.0), grid);
     return Message("the shell is thinner than a voxel's diagonal, so it may have holes",
       {smallerVoxels(), {"choose a thicker shell", {Parameter::shell}}},
       joined("voxels are ", inDigits(grid.spacing.maxCoeff(), 3), " long") +
-        (needed > 0 ? "; a resolution of " + std::to_string(needed) + " would keep it" : ""));
+        (needed.empty() ? "" : "; " + needed));
   }
   if (isEmpty && shape.shell > 0 && shape.shellSide != ShellSide::centered && shape.offset == 0)
   {

@@ -3,6 +3,7 @@
 #include "diagnosis/ThinParts.h"
 
 #include "base/Digits.h"
+#include "base/Evenly.h"
 #include "surface/Components.h"
 
 #include <algorithm>
@@ -146,16 +147,9 @@ void WallSamples::add(const WallSamples& from, std::size_t i)
 
 void WallSamples::leave(std::size_t count)
 {
-  WallSamples left;
-  left.areWhole = areWhole;
-  for (std::size_t i = 0; i < count && count < points.size(); ++i)
-  {
-    left.add(*this, i * points.size() / count);
-  }
-  if (count < points.size())
-  {
-    *this = std::move(left);
-  }
+  points = evenly(points, count);
+  lines = evenly(lines, count);
+  shares = evenly(shares, count);
 }
 
 void WallSamples::move(double distance)
@@ -204,9 +198,13 @@ std::vector<std::int32_t> trianglesOutOfReach(const Surface& surface,
         const Eigen::Vector3d& point = surface.vertices[vertex];
         return !isInsideNear(grid, point, isInside) && !isInsideWithinReach(grid, point, isInside);
       });
-    if (isOut && found.size() < most)
+    if (isOut)
     {
       found.push_back(triangle);
+    }
+    if (found.size() == most)
+    {
+      break;
     }
   }
   return found;
@@ -299,6 +297,12 @@ int resolutionFor(double voxel, const Grid& grid)
   return needed < most ? static_cast<int>(digits * std::ceil(needed / digits)) : 0;
 }
 
+std::string resolutionFact(double voxel, const Grid& grid)
+{
+  const int needed = resolutionFor(voxel, grid);
+  return needed > 0 ? "a resolution of " + std::to_string(needed) + " would keep it" : "";
+}
+
 bool ThinParts::areMany() const
 {
   return lostShare >= leastLostShare || thinShare >= leastThinShare;
@@ -325,27 +329,26 @@ Message thinPartsAdvice(
   const std::vector<Remedy> touching =
     mayTouch ? std::vector<Remedy>{touchedVoxels()} : std::vector<Remedy>();
   std::vector<Remedy> remedies = {smallerVoxels()};
+  std::string facts;
+  const auto add = [&facts](const std::string& fact)
+  {
+    facts += (facts.empty() || fact.empty() ? "" : "; ") + fact;
+  };
   if (!parts.areWorthTelling())
   {
     remedies.insert(remedies.end(), touching.begin(), touching.end());
     if (parts.lostPlace)
     {
       const Eigen::Vector3d& p = *parts.lostPlace;
-      const int needed = resolutionFor(parts.largestVoxel(), grid);
-      return Message("a part is thinner than a voxel, and missing", remedies,
-        joined("at ", inDigits(p[0], 3), " ", inDigits(p[1], 3), " ", inDigits(p[2], 3)) +
-          (needed > 0 ? "; a resolution of " + std::to_string(needed) + " would keep it" : ""));
+      add(joined("at ", inDigits(p[0], 3), " ", inDigits(p[1], 3), " ", inDigits(p[2], 3)));
+      add(resolutionFact(parts.largestVoxel(), grid));
+      return Message("a part is thinner than a voxel, and missing", remedies, facts);
     }
     return Message("parts are smaller than a voxel", remedies,
       std::to_string(parts.lostComponents) + " of " + std::to_string(parts.components) +
         " closed parts have no sample inside");
   }
   const bool isOfSource = what == "parts";
-  std::string facts;
-  const auto add = [&facts](const std::string& fact)
-  {
-    facts += (facts.empty() ? "" : "; ") + fact;
-  };
   double voxel = parts.largestVoxel();
   if (parts.sourceVolume > 0 && parts.thinVolume > 1.5 * parts.sourceVolume)
   {
@@ -379,12 +382,9 @@ Message thinPartsAdvice(
     add("it is in " + std::to_string(parts.pieces) + " pieces instead of " +
         std::to_string(parts.sourcePieces));
   }
-  const int needed = resolutionFor(voxel, grid);
-  if (needed > 0)
-  {
-    add("a resolution of " + std::to_string(needed) + " would keep it");
-  }
-  else if (parts.areMany())
+  const std::string needed = resolutionFact(voxel, grid);
+  add(needed);
+  if (needed.empty() && parts.areMany())
   {
     remedies.clear();
   }

@@ -102,6 +102,9 @@ std::size_t piecesOf(const Surface& surface);
 /// two digits; 0 where it is more than 4096.
 int resolutionFor(double voxel, const Grid& grid);
 
+/// Returns the fact that voxels of this edge would keep what is lost; empty where no resolution is.
+std::string resolutionFact(double voxel, const Grid& grid);
+
 /// Returns what to do about parts thinner than a voxel, or about components that are lost.
 /// `mayTouch` says whether voxels that the source touches could count.
 /// `what` says what the parts are.
