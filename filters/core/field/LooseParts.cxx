@@ -7,9 +7,6 @@
 #include "surface/Components.h"
 #include "surface/Edges.h"
 
-#include <algorithm>
-#include <functional>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -32,10 +29,14 @@ void addMissing(
   {
     return !hasPoint[static_cast<std::size_t>(components.ofTriangle[triangle])];
   };
-  std::vector<std::int32_t> triangles(surface.triangles.size()), first;
-  std::iota(triangles.begin(), triangles.end(), 0);
-  triangles.erase(
-    std::remove_if(triangles.begin(), triangles.end(), std::not_fn(isMissing)), triangles.end());
+  std::vector<std::int32_t> triangles, first;
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(surface.triangles.size()); ++i)
+  {
+    if (isMissing(i))
+    {
+      triangles.push_back(i);
+    }
+  }
   // In an order that their corners decide the first one of each component is taken.
   for (const std::int32_t triangle : chooseTriangles(surface, triangles, triangles.size()))
   {
