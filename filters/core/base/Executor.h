@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace winding
 {
@@ -82,6 +84,25 @@ void runBlocks(std::size_t count, std::size_t itemsPerBlock, const Work& work, E
       const std::size_t first = block * itemsPerBlock;
       work(block, first, std::min(count, first + itemsPerBlock));
     });
+}
+
+/// Returns the sum of what add(i, sum) adds for the items 0 … count − 1, block by block, so that it
+/// has the same bits for any executor. Throws Interrupted.
+template <class Add> double sumOverItems(std::size_t count, const Add& add, Executor& executor)
+{
+  constexpr std::size_t itemsPerBlock = 16384;
+  std::vector<double> sums((count + itemsPerBlock - 1) / itemsPerBlock, 0);
+  runBlocks(
+    count, itemsPerBlock,
+    [&](std::size_t block, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        add(i, sums[block]);
+      }
+    },
+    executor);
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 /// Calls work(i) for the items 0 … count − 1, blocks of them at once, as runBlocks() does: for work

@@ -916,23 +916,17 @@ double Diagnosis::volume(Executor& executor) const
     const Surface& surface = *facts_.distinct;
     const ChainView chain(surface);
     const Eigen::Vector3d middle = surface.bounds.center();
-    constexpr std::size_t perBlock = 16384;
-    std::vector<double> sums((chain.size() + perBlock - 1) / perBlock, 0);
-    runBlocks(
-      chain.size(), perBlock,
-      [&](std::size_t block, std::size_t first, std::size_t last)
+    volume_ = sumOverItems(
+      chain.size(),
+      [&](std::size_t i, double& sum)
       {
-        for (std::size_t i = first; i < last; ++i)
-        {
-          const Triangle& t = chain[i];
-          const Eigen::Vector3d a = surface.vertices[t[0]] - middle;
-          const Eigen::Vector3d b = surface.vertices[t[1]] - middle;
-          const Eigen::Vector3d c = surface.vertices[t[2]] - middle;
-          sums[block] += chain.multiplicity(i) * a.dot(b.cross(c)) / 6;
-        }
+        const Triangle& t = chain[i];
+        const Eigen::Vector3d a = surface.vertices[t[0]] - middle;
+        const Eigen::Vector3d b = surface.vertices[t[1]] - middle;
+        const Eigen::Vector3d c = surface.vertices[t[2]] - middle;
+        sum += chain.multiplicity(i) * a.dot(b.cross(c)) / 6;
       },
       executor);
-    volume_ = std::accumulate(sums.begin(), sums.end(), 0.0);
   }
   return *volume_;
 }

@@ -133,8 +133,8 @@ public:
 
   /// Returns the walls of a surface. They are thick where they do not bound the inside: the outside
   /// lies before them and the inside behind, as far as both ends of lines agree. All walls of large
-  /// closed surfaces bound it, and of large open ones a share.
-  /// Weights are areas. A cloud has no walls.
+  /// closed surfaces bound it, and of large open ones a share. Weights are areas. A cloud has no
+  /// walls.
   WallSamples boundingWalls(const InsideTest& isInside, Executor& executor) const;
 
   /// Finds what lines through walls of other surfaces meet, and leaves as many of these walls as

@@ -26,12 +26,15 @@ public:
   /// Adds the next operand. Nothing is known any more if it is open. Throws Interrupted.
   void add(const Diagnosis& operand, const InsideTest& isInside, Executor& executor);
 
+  /// Returns whether there is anything to compare with.
+  bool isKnown() const { return !lines_.empty(); }
+
   /// Gives up, for an operand is no closed surface.
   void forget() { lines_.clear(); }
 
   /// Returns the ratio of a result's volume to the operation's, or 1 where the difference may be
-  /// chance (three standard errors), or nothing is known. Triangles of `result` are about as long
-  /// as voxels. Throws Interrupted.
+  /// chance (three standard errors). Triangles of `result` are about as long as voxels. Throws
+  /// Interrupted.
   double ratioOf(const Surface& result, double volume, Executor& executor) const;
 
 private:

@@ -18,7 +18,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -60,25 +59,19 @@ template <class Real>
 double volumeOf(const Grid& grid, const Polygons<Real>& polygons, Executor& executor)
 {
   const Eigen::Vector3d middle = grid.sample(0, 0, 0);
-  constexpr std::size_t perBlock = 16384;
-  std::vector<double> sums((polygons.count + perBlock - 1) / perBlock, 0);
-  runBlocks(
-    polygons.count, perBlock,
-    [&](std::size_t block, std::size_t first, std::size_t last)
+  return sumOverItems(
+    polygons.count,
+    [&](std::size_t i, double& sum)
     {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        polygons.forEachTriangle(i,
-          [&](std::int64_t a, std::int64_t b, std::int64_t c)
-          {
-            const Eigen::Vector3d u = polygons.point(a) - middle;
-            const Eigen::Vector3d v = polygons.point(b) - middle;
-            sums[block] += u.dot(v.cross(polygons.point(c) - middle)) / 6;
-          });
-      }
+      polygons.forEachTriangle(i,
+        [&](std::int64_t a, std::int64_t b, std::int64_t c)
+        {
+          const Eigen::Vector3d u = polygons.point(a) - middle;
+          const Eigen::Vector3d v = polygons.point(b) - middle;
+          sum += u.dot(v.cross(polygons.point(c) - middle)) / 6;
+        });
     },
     executor);
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 /// Returns polygons as a surface of triangles.
@@ -176,7 +169,8 @@ SolidMeasures writeSurface(const Grid& grid, const LevelEdges& edges,
   };
   // Voxels lie round a solid.
   const bool isExact = options.features != Features::voxels;
-  const ResultVolume* const expected = combination && isExact ? &combination->volume : nullptr;
+  const bool isExpected = combination && isExact && combination->volume.isKnown();
+  const ResultVolume* const expected = isExpected ? &combination->volume : nullptr;
   SolidMeasures found;
   const auto measure = [&](const auto* points, std::size_t vertices, const std::int64_t* offsets,
                          const std::int64_t* corners, std::size_t count)
@@ -274,12 +268,6 @@ SurfaceOptions closedIfMended(SurfaceOptions options)
   return options;
 }
 
-/// Warns of a source that is open on a side.
-void warnOfOpenSource(const Field& field, const SurfaceOptions& options, Run& run)
-{
-  warnOfOpenSide(field, {options.isInside.threshold, false, !options.closesBorder}, run);
-}
-
 /// Finds the edges of a source that is mended, as findEdges() does, and again where it was turned.
 /// Warns of an open side where the inside matters.
 std::unique_ptr<LevelEdges> findMendedEdges(
@@ -287,7 +275,7 @@ std::unique_ptr<LevelEdges> findMendedEdges(
 {
   if (source.plate() == 0 && !isSheet(source.field().info(), options.shape))
   {
-    warnOfOpenSource(source.field(), options, run);
+    warnOfOpenSide(source.field(), {options.isInside.threshold, false, !options.closesBorder}, run);
   }
   const auto [first, last] = run.executor.share();
   auto edges = findEdges(source.field(), grid, options, run);
